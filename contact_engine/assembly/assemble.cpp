@@ -1,0 +1,68 @@
+#include "assemble.h"
+
+namespace braidx {
+namespace {
+
+/// Gradient of the friction force of a contact element: with the slip, and with the gap.
+struct FrictionGradient {
+    Mat3 with_slip = Mat3::Zero();
+    Vec3 with_gap = Vec3::Zero();
+};
+
+FrictionGradient friction_gradient(const Reaction& r, const Vec3& normal, FrictionTangent tangent) {
+    FrictionGradient out;
+    if (r.friction.coefficient <= 0)
+        return out;
+    const Mat3 plane = Mat3::Identity() - normal * normal.transpose();
+    out.with_slip = r.normal_force * r.friction.direction_gradient(r.slip, plane) * plane;
+    if (tangent == FrictionTangent::consistent)
+        out.with_gap = -r.stiffness * r.friction.direction(r.slip);
+    return out;
+}
+
+Mat3 block(const Reaction& r, const Mat3& nn, const FrictionGradient& friction, const Vec3& normal, int i, int j) {
+    const auto& s = r.system;
+    double along = r.stiffness * s.gap_weight[i] * s.gap_weight[j];
+    if (s.same_side(i, j))
+        along += r.normal_force * s.spin_weight[i] * s.spin_weight[j];
+    Mat3 out = along * nn;
+    if (r.friction.coefficient > 0) {
+        out += s.slip_weight[i] * s.slip_weight[j] * friction.with_slip;
+        out += s.slip_weight[i] * s.gap_weight[j] * friction.with_gap * normal.transpose();
+    }
+    return out;
+}
+
+} // namespace
+
+void add_residual(const std::vector<Tube>& tubes, const ContactElements& elements, Unknowns q, Unknowns q_start,
+                  const ContactLaws& laws, std::span<double> residual) {
+    for (const auto& element : elements) {
+        const Reaction r = reaction(tubes, element, q, q_start, laws);
+        if (!r.acts())
+            continue;
+        const auto& s = r.system;
+        for (int i = 0; i < s.count; ++i)
+            Eigen::Map<Vec3>(residual.data() + s.unknown[i]) +=
+                s.slip_weight[i] * r.friction_force - (r.normal_force * s.gap_weight[i]) * element.normal;
+    }
+}
+
+void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements, const Pattern& pattern, Unknowns q,
+                 Unknowns q_start, const ContactLaws& laws, FrictionTangent tangent, std::span<double> values) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        const auto& normal = elements[e].normal;
+        const Reaction r = reaction(tubes, elements[e], q, q_start, laws);
+        if (!r.acts())
+            continue;
+        const Mat3 nn = normal * normal.transpose();
+        const auto friction = friction_gradient(r, normal, tangent);
+        const std::int32_t* slot = pattern.slot.data() + pattern.first_slot[e];
+        for (int i = 0; i < r.system.count; ++i)
+            for (int j = 0; j < r.system.count; ++j)
+                Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values.data() + 9 * std::int64_t{*slot++}) +=
+                    block(r, nn, friction, normal, i, j);
+    }
+}
+
+} // namespace braidx

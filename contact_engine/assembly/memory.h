@@ -1,0 +1,17 @@
+#pragma once
+
+#include "reaction.h"
+
+namespace braidx {
+
+/// Accepts an increment: contact elements remember their reversible slip, and the work dissipated grows by
+/// R_T . (slip - remembered slip). Elements out of touch forget their slip.
+void commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q, Unknowns q_start,
+            const ContactLaws& laws);
+
+/// Penalty of each proximity zone grows until its deepest penetration is under `tolerance` (mm); a zone
+/// grows by `growth` at most per call. Returns the number of zones changed.
+int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q, double tolerance,
+                    double growth);
+
+} // namespace braidx

@@ -1,0 +1,28 @@
+#include "reaction.h"
+
+namespace braidx {
+
+Reaction reaction(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q, Unknowns q_start,
+                  const ContactLaws& laws) {
+    Reaction out{.system = local_system(tubes, element, q), .friction = {0, laws.reversible_slip}};
+    double gap = out.system.gap;
+    const double mu = laws.coefficient(tubes[element.tube_a].body, tubes[element.tube_b].body);
+    const bool may_act = gap < 0, needs_start = may_act && (mu > 0 || laws.gap_step >= 0);
+    LocalSystem start;
+    if (needs_start)
+        start = local_system(tubes, element, q_start);
+    if (may_act && laws.gap_step >= 0)
+        gap = reduced_gap(gap, start.gap, laws.gap_step);
+    const NormalLaw normal_law{element.stiffness * element.weight, laws.regularisation};
+    out.normal_force = normal_law.force(gap);
+    out.stiffness = normal_law.tangent(gap);
+    if (!out.acts() || mu <= 0)
+        return out;
+    out.friction.coefficient = mu;
+    const Vec3 moved = out.system.separation - start.separation;
+    out.slip = element.slip + moved - element.normal.dot(moved) * element.normal;
+    out.friction_force = out.normal_force * out.friction.direction(out.slip);
+    return out;
+}
+
+} // namespace braidx

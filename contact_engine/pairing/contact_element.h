@@ -1,0 +1,27 @@
+#pragma once
+
+#include "../surfaces/tube.h"
+
+#include <vector>
+
+namespace braidx {
+
+/// A pair of particles predicted to meet (paper 1, 2.3.1), with its frozen normal and its memory.
+struct ContactElement {
+    std::int32_t tube_a, tube_b;
+    double s_a, s_b;             ///< material coordinates of both sections, in elements
+    std::int64_t station;        ///< identity along the pair of tubes, see stations.h
+    Vec3 normal;                 ///< unit, from a to b
+    double weight;               ///< length of the contact line it stands for, mm
+    double stiffness;            ///< penalty per length, N/mm per mm; equal within a proximity zone
+    double xi_a[2] = {0, 0};     ///< transverse coordinates of the surface particles (beams), mm
+    double xi_b[2] = {0, 0};
+    Vec3 slip = Vec3::Zero();    ///< remembered reversible slip of b against a, mm
+    double work = 0;             ///< work dissipated by friction so far, N mm = mJ
+    std::int32_t zone = -1;      ///< number of the proximity zone
+    std::int32_t crossing = -1;  ///< crossing whose stacking order gives the normal, -1: geometry does
+};
+
+using ContactElements = std::vector<ContactElement>;
+
+} // namespace braidx

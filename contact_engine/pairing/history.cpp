@@ -1,0 +1,50 @@
+#include "history.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace braidx {
+namespace {
+
+std::int64_t key(const ContactElement& e) { return std::int64_t{e.tube_a} << 32 | std::int64_t{e.tube_b}; }
+
+} // namespace
+
+History::History(const ContactElements& previous, const std::vector<Tube>& tubes)
+    : previous_(previous), tubes_(tubes) {
+    by_tubes_.reserve(previous.size());
+    for (std::size_t i = 0; i < previous.size(); ++i)
+        by_tubes_.emplace(key(previous[i]), i);
+}
+
+const ContactElement* History::predecessor(const ContactElement& element, double reach) const {
+    const ContactElement* best = nullptr;
+    const auto [first, last] = by_tubes_.equal_range(key(element));
+    for (auto at = first; at != last; ++at) {
+        const auto& old = previous_[at->second];
+        if (old.station != element.station)
+            continue;
+        const double apart = std::abs(old.s_a - element.s_a) * tubes_[element.tube_a].element_length +
+                             std::abs(old.s_b - element.s_b) * tubes_[element.tube_b].element_length;
+        if (apart < reach) {
+            reach = apart;
+            best = &old;
+        }
+    }
+    return best;
+}
+
+void inherit(ContactElement& element, const ContactElement& predecessor) {
+    if (element.crossing < 0 && element.normal.dot(predecessor.normal) < 0)
+        element.normal = -element.normal;
+    const double length = predecessor.slip.norm();
+    if (length > 0) {
+        const auto turn = Eigen::Quaterniond::FromTwoVectors(predecessor.normal, element.normal);
+        element.slip = turn * predecessor.slip;
+        element.slip -= element.normal.dot(element.slip) * element.normal;
+    }
+    element.work = predecessor.work;
+    element.stiffness = predecessor.stiffness;
+}
+
+} // namespace braidx

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "contact_element.h"
+#include "crossings.h"
+
+namespace braidx {
+
+/// How contact elements are made.
+struct PairingOptions {
+    SearchOptions search;
+    CrossingOptions crossing;
+    double spacing = 1.0;           ///< of line stations, mm
+    double point_tolerance = 0.005; ///< approach that line stations may miss before a point station is added, mm
+    double stiffness = 1000;        ///< first penalty per length of a new zone, N/mm per mm
+    int part = 0;                   ///< this process makes the pairs of tubes of one part
+    int num_parts = 1;
+};
+
+/// Contact elements for the current configuration. Those of `previous` hand on slip, work, penalty and the side.
+ContactElements make_contact_elements(const std::vector<Tube>& tubes, const std::vector<Crossing>& crossings,
+                                      Unknowns q, const ContactElements& previous, const PairingOptions& options);
+
+} // namespace braidx

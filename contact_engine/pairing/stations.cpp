@@ -1,0 +1,144 @@
+#include "stations.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace braidx {
+
+std::optional<double> TubePair::facing(double mean, double half_difference) const {
+    const double o = orientation;
+    for (int iteration = 0; iteration < 12; ++iteration) {
+        const auto pa = curve_point(a, q, std::clamp((mean + half_difference) / a.element_length, 0.0,
+                                                     double(a.num_elements)));
+        const auto pb = curve_point(b, q, std::clamp(o * (mean - half_difference) / b.element_length, 0.0,
+                                                     double(b.num_elements)));
+        const Vec3 direction = metric * (pa.tangent + o * pb.tangent);
+        const double length2 = direction.squaredNorm();
+        if (length2 < 1e-4)
+            return std::nullopt;
+        const double step = (pb.position - pa.position).dot(direction) / length2;
+        half_difference += std::clamp(step, -a.element_length, a.element_length);
+        if (std::abs(step) < 1e-7 * a.element_length)
+            return half_difference;
+    }
+    return half_difference; // kinks of polygons keep the last digits moving: harmless for a station
+}
+
+std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double arc_b) const {
+    const auto inside = [](const Tube& tube, double arc) { return arc >= 0 && arc <= tube.length(); };
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        if (!inside(a, arc_a) || !inside(b, arc_b))
+            return std::nullopt;
+        const auto pa = curve_point(a, q, arc_a / a.element_length);
+        const auto pb = curve_point(b, q, arc_b / b.element_length);
+        const Vec3 ta = metric * pa.tangent, tb = metric * pb.tangent, d = pb.position - pa.position;
+        const double aa = ta.squaredNorm(), bb = tb.squaredNorm(), ab = ta.dot(tb);
+        const double det = aa * bb - ab * ab;
+        if (det < 1e-6 * aa * bb)
+            return std::nullopt;
+        const double da = ta.dot(d), db = tb.dot(d);
+        const double limit = std::min(a.element_length, b.element_length);
+        const double step_a = std::clamp((da * bb - db * ab) / det, -limit, limit);
+        const double step_b = std::clamp((da * ab - db * aa) / det, -limit, limit);
+        arc_a += step_a;
+        arc_b += step_b;
+        if (std::abs(step_a) + std::abs(step_b) < 1e-7 * limit)
+            return inside(a, arc_a) && inside(b, arc_b) ? std::optional(std::pair(arc_a, arc_b)) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+Station TubePair::station(double arc_a, double arc_b, double weight, std::int64_t index) const {
+    return {std::clamp(arc_a / a.element_length, 0.0, double(a.num_elements)),
+            std::clamp(arc_b / b.element_length, 0.0, double(b.num_elements)), weight, index};
+}
+
+Vec3 TubePair::across(const Station& station) const {
+    return position(b, q, station.s_b) - position(a, q, station.s_a);
+}
+
+namespace {
+
+/// Best known half difference of a cell.
+struct Guess {
+    double distance;
+    double half_difference;
+};
+
+std::map<std::int64_t, Guess> covered_cells(const TubePair& tubes, const std::vector<ElementPair>& pairs,
+                                            double spacing) {
+    const double ha = tubes.a.element_length, hb = tubes.b.element_length, o = tubes.orientation;
+    std::map<std::int64_t, Guess> cells;
+    for (const auto& p : pairs) {
+        const double first = ha * p.element_a + o * hb * p.element_b;
+        const double low = 0.5 * (first + std::min(0.0, o * hb)), high = 0.5 * (first + ha + std::max(0.0, o * hb));
+        const double half_difference = 0.5 * (ha * p.s_a - o * hb * p.s_b);
+        const auto last_cell = static_cast<std::int64_t>(std::ceil(high / spacing));
+        for (auto k = static_cast<std::int64_t>(std::floor(low / spacing)); k < last_cell; ++k) {
+            const auto [at, fresh] = cells.try_emplace(k, Guess{p.distance, half_difference});
+            if (!fresh && p.distance < at->second.distance)
+                at->second = {p.distance, half_difference};
+        }
+    }
+    return cells;
+}
+
+/// Part of a cell where both tubes exist, for a given half difference.
+std::pair<double, double> cut_at_ends(const TubePair& tubes, double low, double high, double half_difference) {
+    const double o = tubes.orientation, la = tubes.a.length(), lb = tubes.b.length();
+    const double start_b = o > 0 ? half_difference : half_difference - lb;
+    const double end_b = o > 0 ? half_difference + lb : half_difference;
+    return {std::max({low, -half_difference, start_b}), std::min({high, la - half_difference, end_b})};
+}
+
+} // namespace
+
+std::vector<Station> line_stations(const TubePair& tubes, const std::vector<ElementPair>& pairs, double spacing) {
+    std::vector<Station> out;
+    const double o = tubes.orientation;
+    for (const auto& [k, guess] : covered_cells(tubes, pairs, spacing)) {
+        const double low = spacing * k, high = low + spacing;
+        auto difference = tubes.facing(0.5 * (low + high), guess.half_difference);
+        if (!difference)
+            continue;
+        const auto [start, end] = cut_at_ends(tubes, low, high, *difference);
+        if (end - start < 1e-6 * spacing)
+            continue;
+        const double middle = 0.5 * (start + end);
+        if (end - start < (1 - 1e-9) * spacing)
+            difference = tubes.facing(middle, *difference);
+        if (difference)
+            out.push_back(tubes.station(middle + *difference, o * (middle - *difference), end - start, k));
+    }
+    return out;
+}
+
+std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Station>& line, double spacing,
+                                    double tolerance) {
+    std::vector<Station> out;
+    std::vector<double> distance;
+    for (const auto& s : line)
+        distance.push_back((tubes.metric * tubes.across(s)).norm());
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const auto lower_than = [&](std::size_t j, std::int64_t step) {
+            return j >= line.size() || line[j].index != line[i].index + step || distance[i] < distance[j] ||
+                   (step < 0 && distance[i] == distance[j]);
+        };
+        if (!lower_than(i - 1, -1) || !lower_than(i + 1, 1))
+            continue;
+        const Vec3 ta = (tubes.metric * curve_point(tubes.a, tubes.q, line[i].s_a).tangent).normalized();
+        const Vec3 tb = (tubes.metric * curve_point(tubes.b, tubes.q, line[i].s_b).tangent).normalized();
+        const double cosine = std::abs(ta.dot(tb));
+        const double sideways = spacing * spacing * (1 - cosine) / (1 + cosine);
+        if (sideways < 2 * (tubes.a.radius + tubes.b.radius) * tolerance)
+            continue;
+        const auto at = tubes.closest(line[i].s_a * tubes.a.element_length, line[i].s_b * tubes.b.element_length);
+        if (at && std::abs(at->first - line[i].s_a * tubes.a.element_length) < 3 * spacing)
+            out.push_back(tubes.station(at->first, at->second, spacing, point_station));
+    }
+    return out;
+}
+
+} // namespace braidx

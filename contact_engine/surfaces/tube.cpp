@@ -1,0 +1,102 @@
+#include "tube.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace braidx {
+namespace {
+
+std::int32_t element_of(const Tube& tube, double s) {
+    return std::clamp(static_cast<std::int32_t>(std::floor(s)), 0, tube.num_elements - 1);
+}
+
+Support linear_support(std::int32_t e, double t) {
+    Support out;
+    out.count = 2;
+    out.node = {e, e + 1};
+    out.weight = {1.0 - t, t};
+    out.slope = {-1.0, 1.0};
+    return out;
+}
+
+Support quadratic_support(std::int32_t e, double t) {
+    Support out;
+    out.count = 3;
+    out.node = {2 * e, 2 * e + 1, 2 * e + 2};
+    out.weight = {(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)};
+    out.slope = {4 * t - 3, 4 - 8 * t, 4 * t - 1};
+    return out;
+}
+
+/// Catmull-Rom weights; the phantom node past an end is the linear extrapolation of the last two.
+Support smooth_support(std::int32_t e, double t, std::int32_t num_elements) {
+    std::array<double, 4> w = {t * (-0.5 + t * (1.0 - 0.5 * t)), 1.0 + t * t * (-2.5 + 1.5 * t),
+                               t * (0.5 + t * (2.0 - 1.5 * t)), t * t * (-0.5 + 0.5 * t)};
+    std::array<double, 4> d = {-0.5 + t * (2.0 - 1.5 * t), t * (-5.0 + 4.5 * t),
+                               0.5 + t * (4.0 - 4.5 * t), t * (-1.0 + 1.5 * t)};
+    const auto fold = [](std::array<double, 4>& v, int phantom, int near, int far) {
+        v[near] += 2.0 * v[phantom];
+        v[far] -= v[phantom];
+        v[phantom] = 0.0;
+    };
+    const bool first = e == 0, last = e == num_elements - 1;
+    if (first) {
+        fold(w, 0, 1, 2);
+        fold(d, 0, 1, 2);
+    }
+    if (last) {
+        fold(w, 3, 2, 1);
+        fold(d, 3, 2, 1);
+    }
+    Support out;
+    for (int i = first ? 1 : 0; i < (last ? 3 : 4); ++i) {
+        out.node[out.count] = e - 1 + i;
+        out.weight[out.count] = w[i];
+        out.slope[out.count] = d[i];
+        ++out.count;
+    }
+    return out;
+}
+
+} // namespace
+
+Support element_support(const Tube& tube, double s) {
+    const auto e = element_of(tube, s);
+    return tube.degree == 1 ? linear_support(e, s - e) : quadratic_support(e, s - e);
+}
+
+Support contact_support(const Tube& tube, double s) {
+    if (tube.degree != 1 || !tube.smooth)
+        return element_support(tube, s);
+    const auto e = element_of(tube, s);
+    return smooth_support(e, s - e, tube.num_elements);
+}
+
+Vec3 position(const Tube& tube, Unknowns q, double s) {
+    const Support support = contact_support(tube, s);
+    Vec3 x = Vec3::Zero();
+    for (int i = 0; i < support.count; ++i)
+        x += support.weight[i] * vector_at(q, tube.unknown_of(support.node[i]));
+    return x;
+}
+
+CurvePoint curve_point(const Tube& tube, Unknowns q, double s) {
+    const auto e = element_of(tube, s);
+    // Tangents of degree-1 curves are always the smooth ones: those of the polygon jump at its nodes.
+    const Support slope = tube.degree == 1 ? smooth_support(e, s - e, tube.num_elements)
+                                           : element_support(tube, s);
+    CurvePoint out{position(tube, q, s), Vec3::Zero()};
+    for (int i = 0; i < slope.count; ++i)
+        out.tangent += slope.slope[i] * vector_at(q, tube.unknown_of(slope.node[i]));
+    out.tangent /= tube.element_length;
+    return out;
+}
+
+Vec3 director(const Tube& tube, Unknowns q, const Support& support, int which) {
+    Vec3 g = Vec3::Zero();
+    for (int i = 0; i < support.count; ++i)
+        g += support.weight[i] * vector_at(q, tube.unknown_of(support.node[i]) + 3 * which);
+    return g;
+}
+
+} // namespace braidx

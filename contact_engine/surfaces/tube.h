@@ -1,0 +1,56 @@
+#pragma once
+
+#include "../types.h"
+
+#include <array>
+
+namespace braidx {
+
+/// A tube of round section around a curve of finite elements: a cable, or a beam with two directors.
+///
+/// Material coordinates `s` count elements: s = 0 at the first node, s = num_elements at the last one.
+struct Tube {
+    std::int64_t first_unknown; ///< engine number of the first unknown of the first node
+    std::int32_t num_elements;
+    int degree;            ///< degree of the finite elements, 1 or 2
+    int block;             ///< unknowns per node: 3 (cable) or 9 (beam: x, g1, g2)
+    double radius;         ///< mm
+    double element_length; ///< rest length of an element, mm (mean)
+    int body;              ///< number of the body, for friction per pair of bodies
+    bool smooth;           ///< C1 contact geometry through the nodes (degree 1 only)
+
+    double length() const { return num_elements * element_length; }
+    std::int32_t num_nodes() const { return num_elements * degree + 1; }
+    bool has_directors() const { return block == 9; }
+    std::int64_t unknown_of(std::int32_t node) const { return first_unknown + std::int64_t{node} * block; }
+};
+
+/// Nodes that carry a particle, their weights, and the derivative of the weights with s.
+struct Support {
+    int count = 0;
+    std::array<std::int32_t, 4> node{};
+    std::array<double, 4> weight{};
+    std::array<double, 4> slope{};
+};
+
+/// Weights of the finite element's own shape functions at s (directors, and positions of rough tubes).
+Support element_support(const Tube& tube, double s);
+
+/// Weights of the contact geometry at s: C1 through four nodes where the tube is smooth (Catmull-Rom,
+/// with linear extrapolation past the ends), the element's own shape functions otherwise.
+Support contact_support(const Tube& tube, double s);
+
+/// Centre line at s, mm.
+Vec3 position(const Tube& tube, Unknowns q, double s);
+
+/// Centre line and its derivative with the rest arc length, at s.
+struct CurvePoint {
+    Vec3 position;
+    Vec3 tangent;
+};
+CurvePoint curve_point(const Tube& tube, Unknowns q, double s);
+
+/// Interpolated director (1 or 2) of a beam at s.
+Vec3 director(const Tube& tube, Unknowns q, const Support& support, int which);
+
+} // namespace braidx
