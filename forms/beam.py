@@ -1,0 +1,143 @@
+"""Beam with deformable sections: nine unknowns per node, the position x and two directors g1, g2.
+
+A particle of the section is at x + xi1 g1 + xi2 g2 (paper 1, eq. 1). A plain three-dimensional law
+on both axial force and bending locks, because a section that can only deform uniformly sees the
+constrained modulus in bending. The energy is therefore split: the full law acts on the strain at
+the centroid, uniaxial moduli on the parts linear in (xi1, xi2):
+
+    psi = A w(E0) + 1/2 beta E sum_a I_a k_a^2 + 1/2 beta_t G sum_ab I_ab t_ab^2
+    E0 = 1/2 (F^T F - F0^T F0),  F = [g1 g2 x']
+    k_a = x' . g_a' - X' . G_a'          curvature
+    t_ab = g_a . g_b' - G_a . G_b'       torsion (a != b), gradient of the section's stretch (a = b)
+
+with I_a the integral of xi_a^2 over the section, I_ab = I_b for a = b and I_b J / (I_1 + I_2) else,
+so that J is the torsion constant. beta is paper 1's reduction of the stiffness of bending ("bundle
+factor", about one over the number of filaments), beta_t the same for torsion.
+"""
+
+from typing import Any, NamedTuple
+
+import ufl
+
+from .curve import Part, arc_derivative
+from .materials import (
+    Strain,
+    TransverselyIsotropic,
+    axial_energy,
+    in_plane_energy,
+    shear_energy,
+)
+
+
+class Section(NamedTuple):
+    """Constants of a section; each a scalar, constant in an element."""
+
+    area: Any  # A, mm^2
+    shear_area: Any  # area that resists shear between axis and section, mm^2
+    inertia_1: Any  # I_1, integral of xi1^2, mm^4
+    inertia_2: Any  # I_2, integral of xi2^2, mm^4
+    torsion_constant: Any  # J, mm^4
+    bundle_factor: Any  # beta, -
+    torsion_factor: Any  # beta_t, -
+    natural_curvature: Any  # share of the placed curvature and torsion free of stress, 0 to 1
+
+
+class Frame(NamedTuple):
+    """Axis and directors at a point, with their derivatives by reference arc length."""
+
+    slope: Any  # x', shape (3,)
+    directors: tuple[Any, Any]  # g1, g2, shape (3,), -
+    rates: tuple[Any, Any]  # g1', g2', shape (3,), 1/mm
+
+
+def _third(vector: Any, i: int) -> Any:
+    return ufl.as_vector([vector[3 * i + j] for j in range(3)])
+
+
+def current_frame(unknowns: Any, tangent: Any) -> Frame:
+    """Frame of the current state; `unknowns` of shape (9,) are x (mm), g1 and g2."""
+    rate = arc_derivative(unknowns, tangent)
+    return Frame(
+        slope=_third(rate, 0),
+        directors=(_third(unknowns, 1), _third(unknowns, 2)),
+        rates=(_third(rate, 1), _third(rate, 2)),
+    )
+
+
+def rest_frame(rest: Any, tangent: Any) -> Frame:
+    """Frame of the reference state: directors from `rest`, shape (9,), the axis from the mesh."""
+    return current_frame(rest, tangent)._replace(slope=tangent)
+
+
+def centroid_strain(now: Frame, rest: Frame) -> Strain:
+    """Green-Lagrange strain E0 on the axis."""
+
+    def half_change(a: Any, b: Any, rest_a: Any, rest_b: Any) -> Any:
+        return 0.5 * (ufl.dot(a, b) - ufl.dot(rest_a, rest_b))
+
+    (g1, g2), (rest_g1, rest_g2) = now.directors, rest.directors
+    return Strain(
+        e11=half_change(g1, g1, rest_g1, rest_g1),
+        e22=half_change(g2, g2, rest_g2, rest_g2),
+        e12=half_change(g1, g2, rest_g1, rest_g2),
+        e33=half_change(now.slope, now.slope, rest.slope, rest.slope),
+        e13=half_change(g1, now.slope, rest_g1, rest.slope),
+        e23=half_change(g2, now.slope, rest_g2, rest.slope),
+    )
+
+
+def bending_energy(now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic) -> Any:
+    """Energy of bending per reference length, N."""
+    inertias = (section.inertia_1, section.inertia_2)
+    density = 0.0
+    for rate, rest_rate, inertia in zip(now.rates, rest.rates, inertias):
+        placed = section.natural_curvature * ufl.dot(rest.slope, rest_rate)
+        density += inertia * (ufl.dot(now.slope, rate) - placed) ** 2
+    return 0.5 * section.bundle_factor * law.axial_modulus * density
+
+
+def torsion_energy(now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic) -> Any:
+    """Energy of torsion and of the gradient of the section's stretch per reference length, N."""
+    inertias = (section.inertia_1, section.inertia_2)
+    warping = section.torsion_constant / (section.inertia_1 + section.inertia_2)
+    density = 0.0
+    for a in range(2):
+        for b in range(2):
+            placed = section.natural_curvature * ufl.dot(rest.directors[a], rest.rates[b])
+            weight = inertias[b] if a == b else warping * inertias[b]
+            density += weight * (ufl.dot(now.directors[a], now.rates[b]) - placed) ** 2
+    return 0.5 * section.torsion_factor * law.axial_shear_modulus * density
+
+
+def energy(
+    now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic, degree: int
+) -> list[Part]:
+    """Stored energy, with selective quadrature.
+
+    One point per element of degree 1 (two of degree 2) avoids shear and membrane locking but sees
+    no zigzag stretch of the sections (hourglass); the strains in the plane of the section are
+    integrated with one point more.
+
+    Args:
+        now, rest: Current and reference frame.
+        section, law: Constants of the section and of the yarn.
+        degree: Degree of the line elements, 1 or 2.
+    """
+    strain = centroid_strain(now, rest)
+    axis = section.area * axial_energy(strain, law) + section.shear_area * shear_energy(strain, law)
+    bending = bending_energy(now, rest, section, law)
+    torsion = torsion_energy(now, rest, section, law)
+    in_plane = section.area * in_plane_energy(strain, law)
+    return [Part(axis + bending + torsion, 2 * degree - 1), Part(in_plane, 2 * degree + 1)]
+
+
+def axial_force(now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic) -> Any:
+    """Force along the current axis, N, positive when pulled: projection of d energy / d x'."""
+    slope = ufl.variable(now.slope)
+    moved = now._replace(slope=slope)
+    strain = centroid_strain(moved, rest)
+    density = section.area * axial_energy(strain, law) + section.shear_area * shear_energy(
+        strain, law
+    )
+    force = ufl.diff(density + bending_energy(moved, rest, section, law), slope)
+    return ufl.dot(force, slope) / ufl.sqrt(ufl.dot(slope, slope))
