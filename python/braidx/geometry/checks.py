@@ -1,0 +1,88 @@
+"""Checks of a recipe's geometry: what one field cannot know about another."""
+
+from __future__ import annotations
+
+import math
+
+from braidx.geometry.measures import helix_angle, strand_share
+from braidx.geometry.motif import check_motif, motif_matrix
+from braidx.geometry.strand import (
+    OVERLAP_ALLOWED,
+    largest_yarn_radius,
+    ring_radii,
+    strand_section,
+    yarn_pitch,
+)
+from braidx.scene.errors import SceneError
+from braidx.scene.scene import Scene
+
+
+def check_geometry(scene: Scene) -> None:
+    """Raises SceneError, with the cure, where the rope of a scene cannot be placed."""
+    _check_yarn_pitch(scene)
+    _check_rings(scene)
+    _check_slope(scene)
+    if scene.braid is not None:
+        counts = (scene.braid.strands_per_direction[0], scene.braid.strands_per_direction[1])
+        check_motif(motif_matrix(scene.braid.motif), counts)
+        _check_jamming(scene)
+
+
+def _check_yarn_pitch(scene: Scene) -> None:
+    turns = scene.rope.pitch / yarn_pitch(scene.strand, scene.rope.pitch)
+    if abs(turns - round(turns)) > 1e-9 * max(turns, 1.0):
+        pitch = scene.rope.pitch
+        near = sorted({max(1, math.floor(turns)), math.ceil(turns)})
+        cures = " or ".join(f'{pitch / n:.6g} mm ("pitch/{n}")' for n in near)
+        raise SceneError(
+            "strand.yarn_pitch",
+            f"rope.pitch = {pitch:g} mm is not a multiple of it, so the sample would not be "
+            f"periodic; use {cures}.",
+            scene.strand.yarn_pitch,
+        )
+
+
+def _check_rings(scene: Scene) -> None:
+    largest = largest_yarn_radius(scene.strand)
+    if scene.yarn.radius > largest:
+        rings = " + ".join(map(str, scene.strand.rings))
+        raise SceneError(
+            "yarn.radius",
+            f"{rings} yarns overlap with strand.helix_radius = {scene.strand.helix_radius} mm; use "
+            f'at most {largest:.4g} mm, or strand.helix_radius = "touching".',
+            scene.yarn.radius,
+        )
+
+
+def _check_jamming(scene: Scene) -> None:
+    assert scene.braid is not None
+    count, radius = max(scene.braid.strands_per_direction), scene.braid.helix_radius
+    share = strand_share(count, radius, scene.rope.pitch)
+    outer = strand_section(scene.strand, scene.yarn.radius).outer_radius
+    if count == 1 or 2.0 * outer * (1.0 - OVERLAP_ALLOWED) <= share:
+        return
+    at_zero = strand_section(scene.strand, 0.0).outer_radius
+    half = share / (2.0 * (1.0 - OVERLAP_ALLOWED))
+    largest = scene.yarn.radius * (half - at_zero) / (outer - at_zero)
+    cure = f"use at most {largest:.4g} mm, or a larger" if largest > 0.0 else "use a larger"
+    raise SceneError(
+        "yarn.radius",
+        f"{count} strands of diameter {2.0 * outer:.4g} mm per direction jam: braid.helix_radius = "
+        f"{radius:g} mm leaves each {share:.4g} mm; {cure} braid.helix_radius.",
+        scene.yarn.radius,
+    )
+
+
+def _check_slope(scene: Scene) -> None:
+    """Yarns must advance along the axis everywhere."""
+    radius = scene.braid.helix_radius if scene.braid is not None else 0.0
+    angle = helix_angle(radius, scene.rope.pitch)
+    pitch = yarn_pitch(scene.strand, scene.rope.pitch)
+    outermost = max(ring_radii(scene.strand, scene.yarn.radius))
+    if outermost * math.sin(angle) * 2.0 * math.pi / pitch > 0.8:
+        least = outermost * math.sin(angle) * 2.0 * math.pi / 0.8
+        raise SceneError(
+            "strand.yarn_pitch",
+            f"yarns would turn back along the axis; use at least {least:.4g} mm.",
+            scene.strand.yarn_pitch,
+        )

@@ -1,0 +1,41 @@
+"""Scenes: a rope, its model and its programme, as TOML files and as frozen dataclasses."""
+
+from braidx.scene.build import scene_from_dict
+from braidx.scene.errors import SceneError
+from braidx.scene.material import Material, YarnModel
+from braidx.scene.numerics import (
+    ContactOptions,
+    EndConditions,
+    Expected,
+    OutputOptions,
+    SolverOptions,
+)
+from braidx.scene.recipe import BraidRecipe, RopeRecipe, StrandRecipe
+from braidx.scene.scene import Scene
+from braidx.scene.steps import Cycle, Form, Hold, Pull, Settle, Step
+from braidx.scene.toml import difference, load_scene, to_toml
+
+__all__ = [
+    "BraidRecipe",
+    "ContactOptions",
+    "Cycle",
+    "EndConditions",
+    "Expected",
+    "Form",
+    "Hold",
+    "Material",
+    "OutputOptions",
+    "Pull",
+    "RopeRecipe",
+    "Scene",
+    "SceneError",
+    "Settle",
+    "SolverOptions",
+    "Step",
+    "StrandRecipe",
+    "YarnModel",
+    "difference",
+    "load_scene",
+    "scene_from_dict",
+    "to_toml",
+]

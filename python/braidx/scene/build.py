@@ -1,0 +1,131 @@
+"""From nested dictionaries, as TOML gives them, to the dataclasses of a scene."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, TypeVar
+
+from braidx.scene.errors import SceneError, nearest
+from braidx.scene.fields import Table
+from braidx.scene.material import Material, YarnModel
+from braidx.scene.numerics import (
+    ContactOptions,
+    EndConditions,
+    Expected,
+    OutputOptions,
+    SolverOptions,
+)
+from braidx.scene.recipe import BraidRecipe, RopeRecipe, StrandRecipe
+from braidx.scene.scene import Scene
+from braidx.scene.steps import STEPS, Step
+
+T = TypeVar("T", bound=Table)
+
+TABLES: dict[str, type[Table]] = {
+    cls.table: cls
+    for cls in (
+        RopeRecipe,
+        BraidRecipe,
+        StrandRecipe,
+        YarnModel,
+        ContactOptions,
+        SolverOptions,
+        EndConditions,
+        OutputOptions,
+    )
+}
+NAMED: dict[str, type[Table]] = {"material": Material, "expected": Expected}
+REQUIRED = ("rope", "yarn")
+
+
+def scene_from_dict(data: dict[str, Any], name: str = "") -> Scene:
+    """Build a scene.
+
+    Args:
+        data: Tables by name, as `tomllib` returns them; not changed.
+        name: Name of the scene where [rope] gives none.
+    Raises:
+        SceneError: If a key is unknown or missing or a value is wrong.
+    """
+    _check_keys(data, {*TABLES, *NAMED, "steps"}, "")
+    tables = {key: _entries(value, key) for key, value in data.items() if key in TABLES}
+    for required in REQUIRED:
+        if required not in tables:
+            raise SceneError(required, f"table missing, add [{required}].")
+    if not tables["rope"].get("name"):
+        tables["rope"]["name"] = name
+    named = {
+        group: {
+            each: table_from_dict(cls, _entries(value, f"{group}.{each}"), f"{group}.{each}")
+            for each, value in _entries(data.get(group, {}), group).items()
+        }
+        for group, cls in NAMED.items()
+    }
+    _take_material(tables["yarn"], named["material"])
+    built = {key: table_from_dict(TABLES[key], entries, key) for key, entries in tables.items()}
+    arguments: dict[str, Any] = {**built, **named, "steps": _steps(data.get("steps", []))}
+    return Scene(**arguments)
+
+
+def table_from_dict(cls: type[T], entries: dict[str, Any], where: str) -> T:
+    """Build one table; errors name it `where`."""
+    known = {field.name: field for field in dataclasses.fields(cls)}
+    _check_keys(entries, set(known), where)
+    for field in known.values():
+        no_default = field.default is field.default_factory is dataclasses.MISSING
+        if no_default and field.name not in entries:
+            unit = field.metadata["spec"].unit
+            cure = "missing, add it" + ("." if unit == "-" else f", in {unit}.")
+            raise SceneError(f"{where}.{field.name}", cure)
+    try:
+        return cls(**entries)
+    except SceneError as error:
+        raise error.renamed(error.key.replace(cls.table, where, 1)) from None
+
+
+def _steps(data: Any) -> tuple[Step, ...]:
+    if not isinstance(data, list):
+        raise SceneError("steps", "write each step as a table [[steps]].")
+    steps = []
+    for i, step in enumerate(data):
+        where = f"steps[{i}]"
+        entries = _entries(step, where)
+        kind = entries.pop("kind", None)
+        if kind is None:
+            raise SceneError(f"{where}.kind", f"missing, choose {' or '.join(STEPS)}.")
+        if kind not in STEPS:
+            cure = nearest(str(kind), STEPS)
+            raise SceneError(f"{where}.kind", f"choose {' or '.join(STEPS)}; {cure}", kind)
+        steps.append(table_from_dict(STEPS[kind], entries, where))
+    return tuple(steps)
+
+
+def _take_material(yarn: dict[str, Any], materials: dict[str, Any]) -> None:
+    """Fill a yarn's values from the material it names; its own values win."""
+    name = yarn.get("material", "")
+    if not name:
+        return
+    if name not in materials:
+        cure = nearest(str(name), materials)
+        raise SceneError("yarn.material", f"no table [material.{name}]; {cure}", name)
+    values = {key: value for key, value in vars(materials[name]).items() if value is not None}
+    modulus = values.pop("axial_modulus", None)
+    for key, value in values.items():
+        yarn.setdefault(key, value)
+    if modulus is not None and "axial_stiffness" not in yarn:
+        sized = {key: yarn[key] for key in ("radius", "area") if key in yarn}
+        yarn["axial_stiffness"] = modulus * table_from_dict(YarnModel, sized, "yarn").section_area
+
+
+def _entries(value: Any, where: str) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        raise SceneError(where, f"wrong type, write it as a table [{where}].", value)
+    return dict(value)
+
+
+def _check_keys(entries: dict[str, Any], known: set[str], where: str) -> None:
+    for key in entries:
+        if key not in known:
+            name = f"{where}.{key}" if where else key
+            what = "key" if where else "table"
+            raise SceneError(name, f"unknown {what}; {nearest(key, known)}")

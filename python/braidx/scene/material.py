@@ -1,0 +1,115 @@
+"""What yarns are made of and how they are modelled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from braidx.scene.errors import SceneError
+from braidx.scene.fields import Table, option
+
+
+@dataclass(frozen=True)
+class Material(Table):
+    """A named material, [material.NAME]: values for the yarns that name it."""
+
+    table: ClassVar[str] = "material"
+
+    axial_modulus: float | None = option(
+        None, unit="MPa", above=0.0, doc="Modulus along the yarn; gives axial_stiffness = E A."
+    )
+    transverse_modulus: float | None = option(
+        None, unit="MPa", above=0.0, doc="Modulus across the yarn."
+    )
+    shear_modulus: float | None = option(
+        None, unit="MPa", above=0.0, doc="Shear modulus between the axis and the section."
+    )
+    poisson_axial: float | None = option(
+        None, minimum=0.0, maximum=1.0, doc="Contraction across for a stretch along the yarn."
+    )
+    poisson_transverse: float | None = option(
+        None, above=-1.0, below=1.0, doc="Poisson ratio within the section."
+    )
+
+
+@dataclass(frozen=True)
+class YarnModel(Table):
+    """One yarn: a bundle of filaments, as a cable or as a beam."""
+
+    table: ClassVar[str] = "yarn"
+
+    radius: float = option(unit="mm", above=0.0, doc="Radius of the yarn's round section.")
+    model: str = option(
+        "cable",
+        choices=("cable", "beam"),
+        doc="Cable: tension only, 3 unknowns per node. Beam: also bending, torsion and deformation "
+        "of the section, 9 unknowns per node (paper 1, eq. 1).",
+    )
+    axial_stiffness: float = option(
+        162e3, unit="N", above=0.0, doc="Axial stiffness EA of the yarn."
+    )
+    bundle_factor: float = option(
+        1e-3,
+        above=0.0,
+        maximum=1.0,
+        doc="Factor on the bending stiffness, about 1 / number of filaments (paper 1, 5.1).",
+    )
+    torsion_factor: float | None = option(
+        None,
+        above=0.0,
+        maximum=1.0,
+        doc="Factor on the torsional stiffness; left out: bundle_factor.",
+    )
+    transverse_modulus: float = option(
+        2000.0, unit="MPa", above=0.0, doc="Modulus across the yarn."
+    )
+    shear_modulus: float = option(
+        1000.0, unit="MPa", above=0.0, doc="Shear modulus between the axis and the section."
+    )
+    poisson_axial: float = option(
+        0.3, minimum=0.0, maximum=1.0, doc="Contraction across for a stretch along the yarn."
+    )
+    poisson_transverse: float = option(
+        0.3, above=-1.0, below=1.0, doc="Poisson ratio within the section."
+    )
+    area: float | None = option(
+        None, unit="mm^2", above=0.0, doc="Area of the section; left out: that of the circle."
+    )
+    inertia_1: float | None = option(
+        None, unit="mm^4", above=0.0, doc="Second moment of area along g1; left out: the circle's."
+    )
+    inertia_2: float | None = option(
+        None, unit="mm^4", above=0.0, doc="Second moment of area along g2; left out: the circle's."
+    )
+    torsion_constant: float | None = option(
+        None,
+        unit="mm^4",
+        above=0.0,
+        doc="Torsion constant J; left out: inertia_1 + inertia_2.",
+    )
+    natural_state: str = option(
+        "as placed",
+        choices=("as placed", "straight"),
+        doc="Shape in which a beam is free of bending and torsion.",
+    )
+    degree: int = option(1, choices=(1, 2), doc="Degree of the finite elements.")
+    elements_per_pitch: int = option(40, minimum=4, doc="Finite elements of a yarn per rope.pitch.")
+    material: str = option("", doc="Name of a [material.NAME] table whose values are taken over.")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        axial_modulus = self.axial_stiffness / self.section_area
+        ratio = self.transverse_modulus / axial_modulus
+        if 1.0 - self.poisson_transverse - 2.0 * self.poisson_axial**2 * ratio <= 0.0:
+            raise SceneError(
+                "yarn.poisson_axial",
+                "no stable material with these moduli: 1 - poisson_transverse - 2 poisson_axial^2 "
+                "E_transverse / E_axial must be positive; lower a Poisson ratio or the transverse "
+                "modulus.",
+                self.poisson_axial,
+            )
+
+    @property
+    def section_area(self) -> float:
+        """Area of the section, mm^2."""
+        return 3.141592653589793 * self.radius**2 if self.area is None else self.area

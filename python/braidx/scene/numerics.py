@@ -1,0 +1,143 @@
+"""How a scene is computed: contact, solver, ends of the sample, and what is written."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from braidx.scene.fields import Table, option
+
+
+@dataclass(frozen=True)
+class ContactOptions(Table):
+    """Contact and friction between yarns (paper 1, 2.3)."""
+
+    table: ClassVar[str] = "contact"
+
+    friction: float = option(0.1, minimum=0.0, maximum=2.0, doc="Coefficient of friction.")
+    penetration_tolerance: float = option(
+        0.01,
+        unit="yarn radius",
+        above=0.0,
+        maximum=0.5,
+        doc="Penetration beyond which the penalty of a proximity zone is raised.",
+    )
+    regularisation: float = option(
+        0.005,
+        unit="yarn radius",
+        above=0.0,
+        maximum=0.5,
+        doc="Penetration p_reg below which the normal force grows quadratically (eq. 4).",
+    )
+    reversible_slip: float = option(
+        0.01,
+        unit="yarn radius",
+        above=0.0,
+        doc="Slip that is given back before sliding starts (eq. 5).",
+    )
+    penalty: float | None = option(
+        None,
+        unit="N/mm",
+        above=0.0,
+        doc="First penalty coefficient k_c of a contact element; left out: from the stiffness of "
+        "the yarns. It is adapted from there.",
+    )
+    station_spacing: float = option(
+        0.5,
+        unit="element length",
+        above=0.0,
+        maximum=2.0,
+        doc="Distance of contact elements along the intermediate geometry.",
+    )
+    search_distance: float = option(
+        0.5,
+        unit="yarn radius",
+        above=0.0,
+        doc="Gap up to which two yarns are paired (threshold of the proximity zones).",
+    )
+
+
+@dataclass(frozen=True)
+class SolverOptions(Table):
+    """Newton iterations, their linear systems, and the size of increments."""
+
+    table: ClassVar[str] = "solver"
+
+    tolerance: float = option(
+        1e-6,
+        above=0.0,
+        below=1.0,
+        doc="Residual at which an equilibrium is accepted, relative to the forces in play.",
+    )
+    max_iterations: int = option(25, minimum=1, doc="Newton iterations before an increment is cut.")
+    max_cuts: int = option(8, minimum=0, doc="Halvings of an increment before the run gives up.")
+    tangent: str = option(
+        "symmetric",
+        choices=("symmetric", "consistent"),
+        doc="Tangent of friction: symmetrised (CHOLMOD) or consistent (MUMPS).",
+    )
+    viscosity: float = option(
+        1.0,
+        unit="N/mm",
+        minimum=0.0,
+        doc="Stabilisation of node positions, force per mm moved in the increment.",
+    )
+    director_viscosity: float = option(
+        2000.0,
+        unit="N mm",
+        minimum=0.0,
+        doc="Stabilisation of the directors of beams, per radian turned in the increment.",
+    )
+    director_cap: float = option(
+        0.3, above=0.0, doc="Largest change of a director in one Newton iteration."
+    )
+    threads: int = option(
+        0, minimum=0, doc="Threads of the contact engine; 0: one per core that is available."
+    )
+    petsc: dict[str, float | int | bool | str] = option(
+        {}, doc="Any PETSc options, without the leading dash; they win over the program's own."
+    )
+
+
+@dataclass(frozen=True)
+class EndConditions(Table):
+    """The two end sections of the sample (paper 1, 2.4 and 3.4.3)."""
+
+    table: ClassVar[str] = "ends"
+
+    transverse: str = option(
+        "periodic",
+        choices=("periodic", "fixed", "free"),
+        doc="Across the axis: the two ends of each yarn move alike, stay where they are, or are "
+        "free.",
+    )
+    sections: str = option(
+        "free", choices=("free", "fixed"), doc="Directors of beams at the two ends."
+    )
+
+
+@dataclass(frozen=True)
+class OutputOptions(Table):
+    """What a run writes besides summary.json and history.csv."""
+
+    table: ClassVar[str] = "output"
+
+    pictures: bool = option(True, doc="Write the pictures.")
+    fields: bool = option(True, doc="Write files for ParaView.")
+    every: int = option(1, minimum=1, doc="Write fields every so many increments.")
+
+
+@dataclass(frozen=True)
+class Expected(Table):
+    """An expected result, [expected.NAME]; a run compares its own with it."""
+
+    table: ClassVar[str] = "expected"
+
+    reference: float = option(doc="Value, in the unit of the result.")
+    tolerance: float | None = option(
+        None,
+        minimum=0.0,
+        doc="Deviation allowed as a fraction of the reference; where the reference is 0, as a "
+        "magnitude. Left out: the two are only shown side by side.",
+    )
+    source: str = option("", doc="Where the value comes from.")

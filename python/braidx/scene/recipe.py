@@ -1,0 +1,104 @@
+"""The recipe of a rope: what is braided out of what."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from braidx.scene.errors import SceneError
+from braidx.scene.fields import Table, option
+
+Motif = tuple[tuple[int, ...], ...]
+
+
+@dataclass(frozen=True)
+class RopeRecipe(Table):
+    """The whole rope; its axis is z and its sample is a whole number of pitches long."""
+
+    table: ClassVar[str] = "rope"
+
+    pitch: float = option(
+        unit="mm", above=0.0, doc="Length along the axis in which a strand turns once around it."
+    )
+    pitches: int = option(2, minimum=1, doc="Length of the sample in pitches.")
+    type: str = option(
+        "braid",
+        choices=("braid", "strand"),
+        doc="A braid of strands, or one straight strand of twisted (or parallel) yarns.",
+    )
+    name: str = option("", doc="Name of the scene; empty: the name of its file.")
+
+
+@dataclass(frozen=True)
+class BraidRecipe(Table):
+    """How strands are braided: the double helices of paper 1, 3.4.1, and the motif of 3.4.2."""
+
+    table: ClassVar[str] = "braid"
+
+    helix_radius: float = option(
+        unit="mm", above=0.0, doc="Radius of the helices of the strands' centre lines at the start."
+    )
+    strands_per_direction: tuple[int, ...] = option(
+        (6, 6),
+        minimum=1,
+        shortest=2,
+        doc="Strands of layer 0 (right-handed helices) and of layer 1 (left-handed).",
+    )
+    motif: str | Motif = option(
+        "2-over-2-under",
+        choices=(-1, 1),
+        pattern=r"[1-9]\d*-over-[1-9]\d*-under",
+        example='"2-over-2-under" or a matrix of 1 and -1',
+        shortest=1,
+        doc="Stacking order: row i, column j is 1 where strand i of layer 0 passes outside strand "
+        'j of layer 1, repeated in both directions; "k-over-l-under" has a shift of 1, so that '
+        "its ribs run along the axis.",
+    )
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if len(self.strands_per_direction) != 2:
+            raise SceneError(
+                "braid.strands_per_direction",
+                "give two numbers, one per direction, such as [6, 6].",
+                self.strands_per_direction,
+            )
+
+
+@dataclass(frozen=True)
+class StrandRecipe(Table):
+    """How yarns are twisted into a strand."""
+
+    table: ClassVar[str] = "strand"
+
+    rings: tuple[int, ...] = option(
+        (1,),
+        minimum=1,
+        shortest=1,
+        doc="Yarns per ring from the inside out: [1, 6] is one central yarn and six around it, "
+        "[3] three around an empty centre.",
+    )
+    yarn_pitch: float | str = option(
+        "untwisted",
+        unit="mm",
+        above=0.0,
+        choices=("untwisted",),
+        pattern=r"pitch/[1-9]\d*",
+        example='a number, "pitch/4" (a fraction of rope.pitch) or "untwisted"',
+        doc="Length along the axis in which a yarn turns once around its strand; it divides "
+        "rope.pitch.",
+    )
+    helix_radius: float | str = option(
+        "touching",
+        unit="mm",
+        above=0.0,
+        choices=("touching",),
+        doc='Radius of the first ring around the strand\'s centre line; "touching": the smallest '
+        "without overlap. Each further ring lies one yarn diameter further out.",
+    )
+    lay: str = option(
+        "opposite",
+        choices=("opposite", "same", "S", "Z"),
+        doc="Sense of the yarns' helices: opposite to or the same as the helix of their strand, or "
+        "all left-handed (S) or all right-handed (Z).",
+    )

@@ -1,0 +1,116 @@
+"""The programme of a scene: steps, each from the state the one before has left."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from braidx.scene.errors import SceneError
+from braidx.scene.fields import Table, option
+
+
+@dataclass(frozen=True)
+class Step(Table):
+    """What all steps have in common."""
+
+    kind: ClassVar[str] = ""
+
+
+@dataclass(frozen=True)
+class Form(Step):
+    """Find the shape of the rope: separate interpenetrating yarns by the motif (paper 1, 3)."""
+
+    kind: ClassVar[str] = "form"
+    table: ClassVar[str] = "form"
+
+    model: str = option(
+        "cable", choices=("cable", "beam"), doc="Model of the yarns while the shape is found."
+    )
+    tension: float = option(50.0, unit="N", above=0.0, doc="Tension of each yarn.")
+    stiffness: float = option(
+        1000.0, unit="N", above=0.0, doc="Axial stiffness EA of the yarns while forming as cables."
+    )
+    gap_reduction: float = option(
+        0.2,
+        unit="mm",
+        above=0.0,
+        doc="Largest reduction of a penetration in one increment (eq. 6).",
+    )
+    increments: int = option(60, minimum=1, doc="Most increments.")
+    viscosity: float = option(
+        40.0,
+        unit="N/mm",
+        minimum=0.0,
+        doc="Stabilisation of node positions, halved once the penetrations are resolved.",
+    )
+    friction: float = option(0.0, minimum=0.0, doc="Coefficient of friction while forming.")
+
+
+@dataclass(frozen=True)
+class Settle(Step):
+    """Let the rope come to rest with its real stiffness, in its own model, at a small force."""
+
+    kind: ClassVar[str] = "settle"
+    table: ClassVar[str] = "settle"
+
+    force: float = option(0.1, unit="kN", minimum=0.0, doc="Force on the rope.")
+    increments: int = option(10, minimum=1, doc="Most increments.")
+
+
+@dataclass(frozen=True)
+class Pull(Step):
+    """Move one end along the axis until a force or a strain is reached: give one of them."""
+
+    kind: ClassVar[str] = "pull"
+    table: ClassVar[str] = "pull"
+
+    strain_increment: float = option(
+        0.001, above=0.0, below=0.1, doc="Rope strain added per increment."
+    )
+    to_force: float | None = option(None, unit="kN", above=0.0, doc="Force at which the step ends.")
+    to_strain: float | None = option(
+        None, above=-0.5, below=1.0, doc="Rope strain at which the step ends."
+    )
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if (self.to_force is None) == (self.to_strain is None):
+            found = "both are given" if self.to_force is not None else "neither is given"
+            raise SceneError("pull.to_force", f"give either to_force (kN) or to_strain; {found}.")
+
+
+@dataclass(frozen=True)
+class Hold(Step):
+    """Keep the ends where they are."""
+
+    kind: ClassVar[str] = "hold"
+    table: ClassVar[str] = "hold"
+
+    increments: int = option(5, minimum=1, doc="Number of increments.")
+
+
+@dataclass(frozen=True)
+class Cycle(Step):
+    """Pull and release between two forces."""
+
+    kind: ClassVar[str] = "cycle"
+    table: ClassVar[str] = "cycle"
+
+    force_max: float = option(unit="kN", above=0.0, doc="Force at which the rope is released.")
+    force_min: float = option(1.0, unit="kN", minimum=0.0, doc="Force at which it is pulled again.")
+    cycles: int = option(1, minimum=1, doc="Number of cycles.")
+    strain_increment: float = option(
+        0.001, above=0.0, below=0.1, doc="Rope strain added or taken back per increment."
+    )
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.force_min >= self.force_max:
+            raise SceneError(
+                "cycle.force_min",
+                f"must be below force_max = {self.force_max:g} kN.",
+                self.force_min,
+            )
+
+
+STEPS: dict[str, type[Step]] = {step.kind: step for step in (Form, Settle, Pull, Hold, Cycle)}
