@@ -1,0 +1,55 @@
+"""Cables: tension, change of properties and of the reference."""
+
+import numpy as np
+import pytest
+from example_bodies import cached_body, make_body, random_state
+from mpi4py import MPI
+
+from braidx.bodies import CableBody
+
+
+def test_tension_of_a_stretched_line():
+    line = np.linspace([0.0, 0.0, 0.0], [0.0, 0.0, 4.0], 5)
+    body = CableBody(MPI.COMM_SELF, [line], axial_stiffness=100.0, tension=5.0, area=2.0)
+    assert body.tension(1.1 * line) == pytest.approx(np.full(4, 15.0))
+    assert body.axial_stress(1.1 * line) == pytest.approx(np.full(4, 7.5))
+    assert body.rest_lengths() == pytest.approx(np.ones(4))
+    assert body.energy() == pytest.approx(4.0 * (5.0 * 0.1 + 0.5 * 100.0 * 0.01))
+
+
+def test_tension_follows_canonical_order():
+    body = cached_body("cable", 1)
+    state = random_state(body)
+    first, second = body.layout.elements.T
+    stretch = np.linalg.norm(state[second] - state[first], axis=1) / body.rest_lengths()
+    stiffness = body.layout.per_element([100.0, 150.0], "axial_stiffness")
+    tension = body.layout.per_element([5.0, 7.0], "tension")
+    assert body.tension(state) == pytest.approx(tension + stiffness * (stretch - 1.0))
+
+
+@pytest.mark.parametrize("degree", [1, 2])
+def test_new_reference_keeps_the_tension(degree):
+    body = make_body("cable", degree)
+    state = random_state(body, size=0.2)
+    tension = body.tension(state)
+    body.set_reference(state)
+    assert body.tension(state) == pytest.approx(tension)
+    if degree == 1:  # the tension is constant in the element: the forces are kept as well
+        other = cached_body("cable", degree)
+        other.set_state(state)
+        body.set_state(state)
+        assert body.residual() == pytest.approx(other.residual())
+    body.set_properties(axial_stiffness=1e6)
+    assert body.tension(state) == pytest.approx(tension)
+
+
+def test_bad_input_is_named():
+    line = np.linspace([0.0, 0.0, 0.0], [0.0, 0.0, 4.0], 5)
+    with pytest.raises(ValueError, match="axial_stiffness"):
+        CableBody(MPI.COMM_SELF, [line], axial_stiffness=-1.0)
+    with pytest.raises(ValueError, match="centre line 0 has coinciding"):
+        CableBody(MPI.COMM_SELF, [np.repeat(line, 2, axis=0)], axial_stiffness=1.0)
+    with pytest.raises(ValueError, match="shape"):
+        CableBody(MPI.COMM_SELF, [line[:, :2]], axial_stiffness=1.0)
+    with pytest.raises(ValueError, match="area"):
+        CableBody(MPI.COMM_SELF, [line], axial_stiffness=1.0).axial_stress(line)
