@@ -1,0 +1,36 @@
+# Keeps the contact engine built: CMake and Ninja, Release, for this machine's processor, in the user's cache.
+# One build folder per checkout, environment, processor and options; Ninja decides what is out of date.
+
+build_folder() {
+    local cpu
+    cpu=$(grep -m 1 -E '^(flags|Features)' /proc/cpuinfo 2>/dev/null || uname -m)
+    build=$cache/build/$(printf '%s\n' "$checkout" "$environment" "$cpu" "${BRAIDX_CMAKE_ARGS:-}" | sha1sum | cut -c 1-12)
+}
+
+# True if a source file or folder changed since the last build of the target: saves the start of Ninja.
+out_of_date() {
+    [ -f "$build/$1.built" ] || return 0
+    find "$checkout/CMakeLists.txt" "$checkout/contact_engine" "$checkout/tests/cpp" -newer "$build/$1.built" \
+        2>/dev/null | grep -q .
+}
+
+# build TARGET: braidx_engine, or all (with the C++ tests). Sets `build`, the folder that holds the module.
+build() {
+    local arguments
+    build_folder
+    mkdir -p "$build"
+    lock "$build/lock" "another braidx is building the engine"
+    if ! [ -f "$build/build.ninja" ]; then
+        read -ra arguments <<<"${BRAIDX_CMAKE_ARGS:-}"
+        step "configuring the engine" "${inside[@]}" cmake -S "$checkout" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+            -DBRAIDX_NATIVE=ON -DBRAIDX_TESTS=ON -DPython_EXECUTABLE="$python" "${arguments[@]}" ||
+            { rm -f "$build/build.ninja"; stop "CMake failed (output above)"; }
+    fi
+    if out_of_date "$1"; then
+        touch "$build/$1.started"
+        step "building ${1/#all/the engine and its C++ tests}" "${inside[@]}" ninja -C "$build" "$1" ||
+            stop "the build failed (output above)"
+        mv "$build/$1.started" "$build/$1.built"
+    fi
+    unlock
+}

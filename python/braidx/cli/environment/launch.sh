@@ -1,0 +1,28 @@
+# Runs a command in the environment, on as many MPI ranks as asked for.
+
+# Sets `prefix`: what stands before the command; `build` and `inside` are known by now.
+make_prefix() {
+    local cores paths=$checkout/python:$build
+    cores=$(nproc 2>/dev/null || echo 1)
+    [ ${#inside[@]} -gt 0 ] || paths+=${PYTHONPATH:+:$PYTHONPATH}
+    prefix=("${inside[@]}" env "PYTHONPATH=$paths" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
+    [ -n "${DISPLAY:-}" ] || prefix+=(PYVISTA_OFF_SCREEN=true)
+    [ "$ranks" -gt 1 ] || return 0
+    local threads=$((cores > ranks ? cores / ranks : 1))
+    prefix+=("OMP_NUM_THREADS=${OMP_NUM_THREADS:-$threads}" "OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-$threads}"
+        mpirun -n "$ranks")
+    if "${inside[@]}" mpirun --version 2>/dev/null | grep -q 'Open MPI'; then
+        prefix+=(--bind-to none)
+        [ "$ranks" -le "$cores" ] || prefix+=(--map-by :OVERSUBSCRIBE)
+    fi
+}
+
+# launch COMMAND...: takes this process's place, so that signals and the exit code are the command's own.
+launch() {
+    make_prefix
+    if [ -n "${BRAIDX_DRY_RUN:-}" ]; then
+        printf '%s\n' "${prefix[@]}" "$@"
+        exit
+    fi
+    exec "${prefix[@]}" "$@"
+}

@@ -1,0 +1,77 @@
+# A private Debian 13 in the user's cache: made once by mmdebstrap, entered by enter.sh. Nothing of the host
+# changes. It is built under another name and renamed when complete, so an interrupted set-up starts afresh.
+
+private_root=$cache/debian13
+private_root_list=$private_root/etc/braidx-packages # the list it was made from: its stamp
+
+private_root_is_complete() { cmp -s "$here/debian.txt" "$private_root_list"; }
+
+use_private_root() {
+    local user=()
+    [ "$(id -u)" = 0 ] || user=(--user --map-root-user)
+    inside=(unshare "${user[@]}" --mount -- bash "$here/enter.sh" "$private_root")
+    python=/usr/bin/python3
+    environment=$private_root
+}
+
+# The host's Debian mirror if it has one of its own that also carries Debian 13, else nothing (the default).
+mirror() {
+    local uri
+    command -v apt-get >/dev/null || return 0
+    uri=$(apt-get indextargets --format '$(ORIGIN) $(REPO_URI)' 2>/dev/null |
+        awk '$1 == "Debian" && $2 !~ /security|deb\.debian\.org/ { print $2; exit }')
+    [ -n "$uri" ] && /usr/lib/apt/apt-helper download-file "${uri%/}/dists/trixie/Release" \
+        "$cache/Release" >/dev/null 2>&1 && echo "$uri"
+    rm -f "$cache/Release"
+}
+
+# The host's apt settings for proxies and certificates, as options of mmdebstrap, one per line.
+apt_settings() {
+    command -v apt-config >/dev/null || return 0
+    apt-config dump Acquire 2>/dev/null |
+        grep -E '^Acquire::(http|https|ftp|Retries|Check-)[^"]*(Proxy|CaInfo|Verify|Retries|Check-)[^"]* "[^"]+"' |
+        sed 's/^/--aptopt=/' || true
+}
+
+# A root made from another list (an older braidx's) only gets what it lacks.
+update_private_root() {
+    local packages
+    [ -d "$private_root" ] && [ "$(id -u)" = 0 ] || return 1
+    mapfile -t packages <"$here/debian.txt"
+    use_private_root
+    cp /etc/resolv.conf "$private_root/etc/resolv.conf"
+    step "updating the private Debian 13 in $private_root" "${inside[@]}" bash -ec '
+        export DEBIAN_FRONTEND=noninteractive
+        apt-get update
+        apt-get install --yes --no-install-recommends "$@"' - "${packages[@]}" || return 1
+    cp "$here/debian.txt" "$private_root_list"
+}
+
+make_private_root() {
+    local partial=$private_root.partial packages options size
+    mapfile -t packages <"$here/debian.txt"
+    rm -rf --one-file-system "$partial" "$private_root"
+    note "preparing a private Debian 13 with DOLFINx in $private_root (once; about 5 minutes and 4 GB)"
+    mapfile -t options < <(apt_settings)
+    options+=(--variant=minbase --include="$(IFS=,; echo "ca-certificates,${packages[*]}")"
+        --dpkgopt=force-unsafe-io --dpkgopt='path-exclude=/usr/share/man/*' --dpkgopt='path-exclude=/usr/share/doc/*')
+    step "downloading and unpacking" debootstrap_into "$partial" "${options[@]}" ||
+        stop "the private Debian 13 could not be made (log above). Remedies: a network connection to
+    deb.debian.org (http_proxy is honoured), 5 GB free in $cache, or conda / Docker as README.md says"
+    cp "$here/debian.txt" "$partial/etc/braidx-packages"
+    mv "$partial" "$private_root"
+    size=$(du -s --block-size=1M "$private_root" | cut -f 1)
+    note "environment ready: $((size / 1000)).$((size % 1000 / 100)) GB, $SECONDS s"
+}
+
+# Without root the files would belong to foreign user ids; a tar stream makes them the user's own.
+debootstrap_into() {
+    local target=$1
+    shift
+    if [ "$(id -u)" = 0 ]; then
+        unshare --mount mmdebstrap "$@" trixie "$target" $(mirror)
+    else
+        mkdir -p "$target"
+        TMPDIR=$cache mmdebstrap --mode=unshare "$@" trixie - $(mirror) | tar -x --exclude='./dev/*' -C "$target"
+    fi
+}
