@@ -1,0 +1,56 @@
+"""Figures of a run. A figure that cannot be drawn is reported and left out; a run goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from braidx.output.figures import curves, rope, sections
+from braidx.output.figures.style import formed, loaded, stages
+from braidx.output.log import LOGGER
+from braidx.output.snapshot import Snapshot
+from braidx.output.summary import Expected
+
+
+def draw_all(
+    out_dir: Path,
+    snapshots: Sequence[Snapshot],
+    history_path: Path,
+    references: Mapping[str, Expected] | None = None,
+) -> list[Path]:
+    """Draw every figure that the results allow into `out_dir/figures`.
+
+    Args:
+        out_dir: Output folder of the run.
+        snapshots: States in the order of the run; the formed rope is named "formed", the loaded
+            rope is the last one that has axial stresses.
+        history_path: history.csv of the run.
+        references: Expected value per result name; `rope_axial_stiffness` (kN) is drawn.
+    Returns:
+        The files written.
+    """
+    folder = out_dir / "figures"
+    folder.mkdir(parents=True, exist_ok=True)
+    stiffness = (references or {}).get("rope_axial_stiffness")
+    jobs: dict[str, Callable[[Path], Path]] = {}
+    if snapshots:
+        jobs["rope"] = lambda path: rope.draw_oblique(formed(snapshots), path)
+        jobs["forming"] = lambda path: rope.draw_forming(stages(snapshots), path)
+        jobs["forming_sections"] = lambda path: sections.draw_steps(stages(snapshots), path)
+        jobs["formed_section"] = lambda path: sections.draw_section(formed(snapshots), path)
+        last = loaded(snapshots)
+        if last is not None:
+            jobs["loaded_section"] = lambda path: sections.draw_section(last, path)
+            jobs["yarn_stress"] = lambda path: rope.draw_stress(last, path)
+            jobs["yarn_stress_histogram"] = lambda path: curves.draw_stress_histogram([last], path)
+    if history_path.exists():
+        jobs["force_strain"] = lambda path: curves.draw_force_strain(history_path, path, stiffness)
+        jobs["course"] = lambda path: curves.draw_course(history_path, path)
+    drawn = []
+    for name, job in jobs.items():
+        try:
+            drawn.append(job(folder / f"{name}.png"))
+        except Exception as error:  # a picture never costs the results
+            LOGGER.warning("figure %s left out: %s", name, error)
+            LOGGER.debug("figure %s", name, exc_info=True)
+    return drawn

@@ -1,0 +1,112 @@
+"""All figures of a small synthetic run."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+from rope_example import rope
+
+from braidx.output import snapshot as snapshots_io
+from braidx.output.figures import __main__ as again
+from braidx.output.figures import curves, draw_all, rope as pictures, style
+from braidx.output.history import History, HistoryRow, read
+from braidx.output.summary import Reference
+
+REFERENCES = {"rope_axial_stiffness": Reference(9512.0, "paper 1, table 2", 0.1)}
+
+
+def write_history(path: Path) -> None:
+    with History(path) as history:
+        for i in range(1, 6):
+            row = HistoryRow(i, None, None, 3, 900, 0.1 / i, 0.0, 1.0, "form", 0.1 / i, 0.01)
+            history.append(row)
+        for i in range(8):
+            strain = 0.001 * i
+            force = 9000 * max(strain - 0.002, 0.0)
+            row = HistoryRow(6 + i, strain, force, 4, 800, 0.01, 0.1 * i, 2.0, "pull", 0.01, 0.001)
+            history.append(row)
+
+
+@pytest.fixture(autouse=True)
+def coarse(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Small pictures: the tests look at what is drawn, not at how finely."""
+    monkeypatch.setattr(style, "DPI", 40)
+    monkeypatch.setattr(pictures, "PIXELS_ACROSS", 200)
+
+
+def test_every_figure_is_drawn_and_not_blank(tmp_path: Path) -> None:
+    options = {"pitches": 0.5, "nodes": 21, "strands": 4}
+    run = [rope("start", lift=0.0, **options), rope("formed", **options)]
+    run.append(rope("70 kN", stressed=True, **options))
+    write_history(tmp_path / "history.csv")
+    drawn = draw_all(tmp_path, run, tmp_path / "history.csv", REFERENCES)
+    assert {path.stem for path in drawn} == {
+        "rope",
+        "forming",
+        "forming_sections",
+        "formed_section",
+        "loaded_section",
+        "yarn_stress",
+        "yarn_stress_histogram",
+        "force_strain",
+        "course",
+    }
+    for path in drawn:
+        assert imread(path)[..., :3].std() > 0.02, path.name
+
+
+def test_a_figure_that_fails_is_reported_and_the_rest_is_drawn(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(logging.getLogger("braidx"), "propagate", True)
+    (tmp_path / "history.csv").write_text("")  # no increment yet
+    drawn = draw_all(tmp_path, [], tmp_path / "history.csv")
+    assert "force_strain left out" in caplog.text
+    assert "force_strain" not in {path.stem for path in drawn}
+
+
+def test_figures_can_be_drawn_again_from_the_files(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "snapshots").mkdir()
+    one = rope("formed", pitches=0.25, nodes=7, strands=2)
+    snapshots_io.save(one, tmp_path / "snapshots" / "00001.npz")
+    assert again.main(tmp_path) == 0
+    assert "formed_section.png" in capsys.readouterr().out
+    assert again.main(tmp_path / "nothing") == 2
+
+
+def test_only_increments_that_pull_are_in_the_force_strain_curve(tmp_path: Path) -> None:
+    write_history(tmp_path / "history.csv")
+    strain, force = curves.pulled(read(tmp_path / "history.csv"))
+    assert strain == pytest.approx(0.001 * np.arange(8))
+    assert force[-1] == pytest.approx(45.0)
+
+
+def test_stages_end_with_the_formed_rope() -> None:
+    one = rope(nodes=5, strands=2)
+    names = ["start", "form 5", "form 10", "form 15", "form 20", "formed", "35 kN", "70 kN"]
+    run = [replace(one, name=name) for name in names]
+    assert [s.name for s in style.stages(run)] == ["start", "form 10", "form 15", "formed"]
+    assert style.formed(run).name == "formed" and style.loaded(run) is None
+
+
+def test_hue_tells_layers_apart_and_a_single_strand_its_yarns() -> None:
+    colours = style.yarn_colours(rope(nodes=9))
+    assert (colours[:42, 2] > colours[:42, 0]).all() and (colours[42:, 2] < colours[42:, 0]).all()
+    single = replace(rope(nodes=9), strand=np.zeros(84, dtype=np.int64))
+    assert len(np.unique(style.yarn_colours(single), axis=0)) == 3
+
+
+def test_centre_lines_are_smoothed_through_their_nodes() -> None:
+    one = rope(nodes=41, strands=2)
+    shown = pictures.tubes(one, list(np.ones((14, 1, 3))), yarns=[0])
+    pieces = len(shown.start) // 40
+    assert pieces > 1
+    np.testing.assert_allclose(shown.start[::pieces], one.centre_lines[0][:-1], atol=1e-12)
+    np.testing.assert_allclose(shown.start[1:], shown.end[:-1])

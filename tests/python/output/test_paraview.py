@@ -1,0 +1,70 @@
+"""ParaView files: read back with VTK where it is installed, and as XML."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as xml
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rope_example import rope
+
+from braidx.output import vtp
+from braidx.output.paraview import Series, sections, write_contacts, write_tubes
+
+
+def test_tubes_and_contacts_are_what_vtk_reads(tmp_path: Path) -> None:
+    reader = pytest.importorskip("vtkmodules.vtkIOXML")
+    support = pytest.importorskip("vtkmodules.util.numpy_support")
+    snapshot = rope(nodes=9, stressed=True)
+    write_tubes(snapshot, tmp_path / "t.vtp")
+    write_contacts(snapshot, tmp_path / "c.vtp")
+
+    def load(name: str) -> object:
+        source = reader.vtkXMLPolyDataReader()
+        source.SetFileName(str(tmp_path / name))
+        source.Update()
+        return source.GetOutput()
+
+    tubes, contacts = load("t.vtp"), load("c.vtp")
+    assert tubes.GetNumberOfPolys() == 84 * 8 * 10
+    points = support.vtk_to_numpy(tubes.GetPoints().GetData()).reshape(84, 9, 10, 3)
+    distance = np.linalg.norm(points - np.array(snapshot.centre_lines)[:, :, None], axis=3)
+    np.testing.assert_allclose(distance, 0.86, rtol=1e-4)
+    assert snapshot.axial_stress is not None and snapshot.contacts is not None
+    stress = support.vtk_to_numpy(tubes.GetCellData().GetArray("axial stress (MPa)"))
+    np.testing.assert_allclose(stress[::10], np.concatenate(snapshot.axial_stress), rtol=1e-6)
+    force = support.vtk_to_numpy(contacts.GetPointData().GetArray("friction force (N)"))
+    np.testing.assert_allclose(force, snapshot.contacts.friction_force, rtol=1e-5, atol=1e-12)
+
+
+def test_empty_arrays(tmp_path: Path) -> None:
+    empty = np.zeros((0, 1), dtype=np.int64)
+    vtp.write(tmp_path / "e.vtp", np.zeros((0, 3)), {"Verts": empty}, {"gap (mm)": np.zeros(0)})
+    piece = xml.parse(tmp_path / "e.vtp").getroot()[0][0]
+    assert piece.get("NumberOfPoints") == "0"
+
+
+def test_series_can_be_resumed(tmp_path: Path) -> None:
+    snapshot = rope(nodes=5)
+    snapshot = replace(snapshot, directors=tuple(sections(snapshot)))
+    series = Series(tmp_path)
+    for increment in (1, 2, 3):
+        series.append(snapshot, increment)
+    series = Series(tmp_path, after=2)
+    series.append(replace(snapshot, contacts=None), 5)
+
+    def entries(kind: str) -> list[str]:
+        collection = xml.parse(tmp_path / f"{kind}.pvd").getroot()[0]
+        return [entry.get("timestep", "") for entry in collection]
+
+    assert entries("tubes") == ["1", "2", "5"] and entries("sections") == ["1", "2", "5"]
+    assert entries("contacts") == ["1", "2", "3"]  # as it was: nothing was added
+    for name in ("tubes_00005.vtp", "sections_00005.vtp", "contacts_00002.vtp"):
+        assert (tmp_path / name).exists()
+
+
+def test_what_is_missing_is_named(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="contacts"):
+        write_contacts(replace(rope(nodes=5), contacts=None), tmp_path / "c.vtp")
