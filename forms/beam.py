@@ -19,11 +19,12 @@ from typing import Any, NamedTuple
 
 import ufl
 
-from .curve import Part, arc_derivative
+from .curve import Part, arc_derivative, gauss, nodal
 from .materials import (
     Strain,
     TransverselyIsotropic,
     axial_energy,
+    coupling_energy,
     in_plane_energy,
     shear_energy,
 )
@@ -114,9 +115,11 @@ def energy(
 ) -> list[Part]:
     """Stored energy, with selective quadrature.
 
-    One point per element of degree 1 (two of degree 2) avoids shear and membrane locking but sees
-    no zigzag stretch of the sections (hourglass); the strains in the plane of the section are
-    integrated with one point more.
+    One Gauss point per element of degree 1 (two of degree 2) avoids shear and membrane locking but
+    does not see sections that stretch in a zigzag from node to node (hourglass). The strain of the
+    section is therefore integrated at the nodes, where the directors are unknowns of their own:
+    every section resists its stretch, and none is strained only because directors that are turned
+    against each other get shorter between the nodes, which would lock the bending of thin rods.
 
     Args:
         now, rest: Current and reference frame.
@@ -125,10 +128,9 @@ def energy(
     """
     strain = centroid_strain(now, rest)
     axis = section.area * axial_energy(strain, law) + section.shear_area * shear_energy(strain, law)
-    bending = bending_energy(now, rest, section, law)
-    torsion = torsion_energy(now, rest, section, law)
-    in_plane = section.area * in_plane_energy(strain, law)
-    return [Part(axis + bending + torsion, 2 * degree - 1), Part(in_plane, 2 * degree + 1)]
+    turning = bending_energy(now, rest, section, law) + torsion_energy(now, rest, section, law)
+    stretch = section.area * (in_plane_energy(strain, law) + coupling_energy(strain, law))
+    return [gauss(axis + turning, num_points=degree), nodal(stretch, degree)]
 
 
 def axial_force(now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic) -> Any:
@@ -136,8 +138,7 @@ def axial_force(now: Frame, rest: Frame, section: Section, law: TransverselyIsot
     slope = ufl.variable(now.slope)
     moved = now._replace(slope=slope)
     strain = centroid_strain(moved, rest)
-    density = section.area * axial_energy(strain, law) + section.shear_area * shear_energy(
-        strain, law
-    )
-    force = ufl.diff(density + bending_energy(moved, rest, section, law), slope)
-    return ufl.dot(force, slope) / ufl.sqrt(ufl.dot(slope, slope))
+    normal = section.area * (axial_energy(strain, law) + coupling_energy(strain, law))
+    shear = section.shear_area * shear_energy(strain, law)
+    density = normal + shear + bending_energy(moved, rest, section, law)
+    return ufl.dot(ufl.diff(density, slope), slope) / ufl.sqrt(ufl.dot(slope, slope))

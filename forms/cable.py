@@ -12,7 +12,7 @@ from typing import Any
 
 import ufl
 
-from .curve import Part, arc_derivative
+from .curve import Part, arc_derivative, gauss
 
 
 def _stretch(position: Any, tangent: Any) -> Any:
@@ -33,7 +33,7 @@ def energy(
         degree: Degree of the line elements, 1 or 2.
     """
     strain = _stretch(position, tangent) - 1.0
-    return [Part(tension * strain + 0.5 * axial_stiffness * strain**2, 2 * degree - 1)]
+    return [gauss(tension * strain + 0.5 * axial_stiffness * strain**2, num_points=degree)]
 
 
 def axial_force(position: Any, tangent: Any, axial_stiffness: Any, tension: Any) -> Any:

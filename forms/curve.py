@@ -6,19 +6,34 @@ import ufl
 
 
 class Part(NamedTuple):
-    """A term of the stored energy with its own quadrature degree.
+    """A term of the stored energy with its own quadrature.
 
     Each part is compiled into forms of its own: FFCx 0.9 assembles wrong matrices when one form
-    mixes quadrature degrees, so degrees never meet in a form and the assembled parts are added.
+    mixes quadratures, so they never meet in a form and the assembled parts are added.
     """
 
     density: Any  # energy per reference length, N (= mJ / mm)
     quadrature_degree: int
+    quadrature_rule: str = "default"  # Gauss; "GLL" has its points at the nodes
 
 
-def measure(mesh: ufl.Mesh, quadrature_degree: int) -> ufl.Measure:
-    """Integration along the reference curve, mm."""
-    return ufl.dx(domain=mesh, metadata={"quadrature_degree": quadrature_degree})
+def gauss(density: Any, num_points: int) -> Part:
+    """Integrate with `num_points` Gauss points per element."""
+    return Part(density, 2 * num_points - 1)
+
+
+def nodal(density: Any, degree: int) -> Part:
+    """Integrate with the nodes of elements of `degree` 1 or 2 as points (Gauss-Lobatto)."""
+    return Part(density, 2 * degree - 1, "GLL")
+
+
+def integral(part: Part, mesh: ufl.Mesh) -> ufl.Form:
+    """Integral of a part along the reference curve, mJ."""
+    quadrature = {
+        "quadrature_degree": part.quadrature_degree,
+        "quadrature_rule": part.quadrature_rule,
+    }
+    return part.density * ufl.dx(domain=mesh, metadata=quadrature)
 
 
 def unit_tangent(mesh: ufl.Mesh) -> Any:

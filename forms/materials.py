@@ -58,9 +58,13 @@ def in_plane_energy(strain: Strain, law: TransverselyIsotropic) -> Any:
 
 
 def axial_energy(strain: Strain, law: TransverselyIsotropic) -> Any:
-    """Energy of the axial strain and of its coupling with the section, MPa."""
-    c = stiffness(law)
-    return 0.5 * c.c33 * strain.e33**2 + c.c13 * strain.e33 * (strain.e11 + strain.e22)
+    """Energy of the axial strain e33 alone, MPa."""
+    return 0.5 * stiffness(law).c33 * strain.e33**2
+
+
+def coupling_energy(strain: Strain, law: TransverselyIsotropic) -> Any:
+    """Energy of the axial strain in company with the section's, MPa."""
+    return stiffness(law).c13 * strain.e33 * (strain.e11 + strain.e22)
 
 
 def shear_energy(strain: Strain, law: TransverselyIsotropic) -> Any:

@@ -1,14 +1,14 @@
-"""First and second variation of a stored energy, one set of forms per quadrature degree."""
+"""First and second variation of a stored energy, one set of forms per quadrature."""
 
 from typing import NamedTuple
 
 import ufl
 
-from .curve import Part, measure
+from .curve import Part, integral
 
 
 class Variation(NamedTuple):
-    """Energy, its gradient and its Hessian for one quadrature degree."""
+    """Energy, its gradient and its Hessian for one quadrature."""
 
     energy: ufl.Form  # mJ
     residual: ufl.Form  # mJ per unit of the unknowns
@@ -16,17 +16,17 @@ class Variation(NamedTuple):
 
 
 def variations(parts: list[Part], unknowns: ufl.Coefficient) -> list[Variation]:
-    """Derive the forms of every part; degrees are never mixed in one form (see `Part`).
+    """Derive the forms of every part; quadratures are never mixed in one form (see `Part`).
 
     Args:
-        parts: Energy densities with their quadrature degrees.
+        parts: Energy densities with their quadratures.
         unknowns: The field to derive by.
     """
     space = unknowns.ufl_function_space()
     test, trial = ufl.TestFunction(space), ufl.TrialFunction(space)
     result = []
-    for density, degree in parts:
-        energy = density * measure(space.ufl_domain(), degree)
+    for part in parts:
+        energy = integral(part, space.ufl_domain())
         residual = ufl.derivative(energy, unknowns, test)
         result.append(Variation(energy, residual, ufl.derivative(residual, unknowns, trial)))
     return result

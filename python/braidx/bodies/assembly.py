@@ -28,7 +28,7 @@ class Assembler:
     columns may repeat between ranks, never within one.
 
     Args:
-        variations: One per quadrature degree; each is compiled on its own and the results are
+        variations: One per quadrature; each is compiled on its own and the results are
             added.
         space: The blocked space of the unknowns.
         nodes: Canonical node of each local block of `space`.

@@ -11,7 +11,7 @@ import ufl
 from dolfinx import fem
 from mpi4py import MPI
 
-from ..forms.curve import Part, measure, unit_tangent
+from ..forms.curve import Part, integral, nodal, unit_tangent
 from ..forms.variation import variations
 from .assembly import Assembler, compile_form
 from .layout import CurveLayout, FloatArray, IntArray
@@ -64,9 +64,9 @@ class CurveBody:
         )
         self._mean = ElementField(self._curve_mesh)
         weight = ufl.TestFunction(self._mean.function.function_space)
-        dx = measure(self._curve_mesh.mesh.ufl_domain(), 2 * self.layout.degree - 1)
-        self._force_form = compile_form(axial_force * weight * dx)
-        self._length_form = compile_form(weight * dx)
+        domain, degree = self._curve_mesh.mesh.ufl_domain(), self.layout.degree
+        self._force_form = compile_form(integral(nodal(axial_force * weight, degree), domain))
+        self._length_form = compile_form(integral(nodal(weight, degree), domain))
 
     @property
     def curves(self) -> IntArray:

@@ -17,7 +17,7 @@ def test_frames_are_orthonormal_and_right_handed():
 
 
 def test_frames_do_not_spin():
-    """Director 1 turns about the tangent by less than a thousandth of the helix' geometric torsion."""
+    """Director 1 turns about the tangent by less than 1e-3 of the helix' geometric torsion."""
     line = helix(200, 0.0)
     (frame,) = rotation_minimising_frames([line])
     spin = np.sum(np.diff(frame[:, 0], axis=0) * (frame[1:, 1] + frame[:-1, 1]) / 2.0, axis=1)

@@ -11,7 +11,7 @@ from braidx.bodies.assembly import compile_form
 from braidx.bodies.layout import CurveLayout, FloatArray
 from braidx.bodies.mesh import create_curve_mesh
 from braidx.forms import beam
-from braidx.forms.curve import Part, measure, unit_tangent
+from braidx.forms.curve import Part, integral, unit_tangent
 from braidx.forms.materials import TransverselyIsotropic
 
 LAW = TransverselyIsotropic(10.0, 3.0, 2.0, 0.2, 0.3)
@@ -26,7 +26,7 @@ class BeamLine(NamedTuple):
 
     def form(self, parts: list[Part]) -> Any:
         domain = self.state.function_space.mesh.ufl_domain()
-        return sum((part.density * measure(domain, part.quadrature_degree) for part in parts))
+        return sum(integral(part, domain) for part in parts)
 
     def tangent(self, parts: list[Part]) -> FloatArray:
         """Matrix of all `parts` compiled into one form, shape (45, 45)."""
