@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
+from matplotlib.ticker import LogLocator, NullLocator
 from numpy.typing import NDArray
 
 from braidx.output import history
@@ -116,18 +117,19 @@ def draw_stress_histogram(snapshots: Sequence[Snapshot], path: Path) -> Path:
 
 @styled
 def draw_course(history_path: Path, path: Path) -> Path:
-    """Newton iterations, contact elements, penetration and seconds per increment."""
+    """Newton iterations, contact elements, penetration, stabilisation and seconds per increment."""
     columns = history.read(history_path)
     increment = np.asarray(columns["increment"], dtype=float)
     step = columns["step"]
-    page = figure(9.0, 8.4)
-    axes = panels(page, 4, 1, sharex=True)
     charts = (
         ("Newton iterations", "Newton iterations (-)", 1.0),
         ("contact elements", "contact elements (-)", 1.0),
         ("max penetration / radius (-)", "largest penetration\n(% of radius)", 100.0),
+        ("stabilisation work share (-)", "stabilisation work\n(% of internal energy)", 100.0),
         ("seconds", "time (s)", 1.0),
     )
+    page = figure(9.0, 10.0)
+    axes = panels(page, len(charts), 1, sharex=True)
     for ax, (column, label, factor) in zip(axes, charts):
         values = factor * np.asarray(columns[column], dtype=float)
         if column in ("Newton iterations", "seconds"):
@@ -137,6 +139,9 @@ def draw_course(history_path: Path, path: Path) -> Path:
         ax.set_ylabel(label)
         if "penetration" in column and (values > 0.0).any():
             ax.set_yscale("log")
+            ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            ax.yaxis.set_major_formatter("{x:g}")
+            ax.yaxis.set_minor_locator(NullLocator())
         else:
             ax.set_ylim(bottom=0.0)
         ax.grid(True, axis="y")

@@ -19,7 +19,7 @@ from braidx.output.measures import extent, interior_stress, outer_diameter
 from braidx.output.snapshot import Array, Snapshot
 
 _X, _Y, _Z = np.eye(3)
-PIXELS_ACROSS = 1680  # of a rope lying along the page
+PIXELS_ACROSS = 1500  # of a rope lying along the page
 _STRESS_MAP = colormaps["viridis"]
 
 
