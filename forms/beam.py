@@ -24,8 +24,7 @@ from .materials import (
     Strain,
     TransverselyIsotropic,
     axial_energy,
-    coupling_energy,
-    in_plane_energy,
+    section_energy,
     shear_energy,
 )
 
@@ -129,7 +128,7 @@ def energy(
     strain = centroid_strain(now, rest)
     axis = section.area * axial_energy(strain, law) + section.shear_area * shear_energy(strain, law)
     turning = bending_energy(now, rest, section, law) + torsion_energy(now, rest, section, law)
-    stretch = section.area * (in_plane_energy(strain, law) + coupling_energy(strain, law))
+    stretch = section.area * section_energy(strain, law)
     return [gauss(axis + turning, num_points=degree), nodal(stretch, degree)]
 
 
@@ -138,7 +137,7 @@ def axial_force(now: Frame, rest: Frame, section: Section, law: TransverselyIsot
     slope = ufl.variable(now.slope)
     moved = now._replace(slope=slope)
     strain = centroid_strain(moved, rest)
-    normal = section.area * (axial_energy(strain, law) + coupling_energy(strain, law))
+    normal = section.area * (axial_energy(strain, law) + section_energy(strain, law))
     shear = section.shear_area * shear_energy(strain, law)
     density = normal + shear + bending_energy(moved, rest, section, law)
     return ufl.dot(ufl.diff(density, slope), slope) / ufl.sqrt(ufl.dot(slope, slope))

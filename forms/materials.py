@@ -24,16 +24,14 @@ class Strain(NamedTuple):
     e23: Any
 
 
-class Stiffness(NamedTuple):
-    """Elastic constants c_ij, MPa; see `stiffness`."""
+class SectionStiffness(NamedTuple):
+    """Elastic constants of strains across the yarn at held axial strain, MPa."""
 
     c11: Any
     c12: Any
-    c13: Any
-    c33: Any
 
 
-def stiffness(law: TransverselyIsotropic) -> Stiffness:
+def stiffness(law: TransverselyIsotropic) -> SectionStiffness:
     """Invert the compliance of a transversely isotropic law.
 
     The axial Poisson ratio n_a and the transverse one n_t enter through
@@ -42,29 +40,28 @@ def stiffness(law: TransverselyIsotropic) -> Stiffness:
     m = law.transverse_modulus / law.axial_modulus * law.axial_poisson**2
     volumetric = 1.0 - law.transverse_poisson - 2.0 * m
     in_plane = law.transverse_modulus / ((1.0 + law.transverse_poisson) * volumetric)
-    return Stiffness(
+    return SectionStiffness(
         c11=in_plane * (1.0 - m),
         c12=in_plane * (law.transverse_poisson + m),
-        c13=law.transverse_modulus * law.axial_poisson / volumetric,
-        c33=law.axial_modulus * (1.0 - law.transverse_poisson) / volumetric,
     )
 
 
-def in_plane_energy(strain: Strain, law: TransverselyIsotropic) -> Any:
-    """Energy of the deformation of the section alone (e11, e22, e12), MPa."""
-    c = stiffness(law)
-    normal = 0.5 * c.c11 * (strain.e11**2 + strain.e22**2) + c.c12 * strain.e11 * strain.e22
-    return normal + (c.c11 - c.c12) * strain.e12**2
-
-
 def axial_energy(strain: Strain, law: TransverselyIsotropic) -> Any:
-    """Energy of the axial strain e33 alone, MPa."""
-    return 0.5 * stiffness(law).c33 * strain.e33**2
+    """Energy of the axial strain while the section contracts freely, MPa."""
+    return 0.5 * law.axial_modulus * strain.e33**2
 
 
-def coupling_energy(strain: Strain, law: TransverselyIsotropic) -> Any:
-    """Energy of the axial strain in company with the section's, MPa."""
-    return stiffness(law).c13 * strain.e33 * (strain.e11 + strain.e22)
+def section_energy(strain: Strain, law: TransverselyIsotropic) -> Any:
+    """Energy of the section's strain beyond its free contraction -n_a e33, MPa.
+
+    Together with `axial_energy` it is the whole energy of the normal strains and e12; as neither is
+    ever negative, they may be integrated at different points.
+    """
+    c = stiffness(law)
+    e11 = strain.e11 + law.axial_poisson * strain.e33
+    e22 = strain.e22 + law.axial_poisson * strain.e33
+    normal = 0.5 * c.c11 * (e11**2 + e22**2) + c.c12 * e11 * e22
+    return normal + (c.c11 - c.c12) * strain.e12**2
 
 
 def shear_energy(strain: Strain, law: TransverselyIsotropic) -> Any:

@@ -7,6 +7,7 @@ from example_bodies import (
     SECTIONS,
     cached_body,
     centre_lines,
+    dense_tangent,
     make_body,
     random_state,
 )
@@ -21,6 +22,16 @@ def test_as_placed_is_free_of_stress(degree):
     body.set_state(body.rest)
     assert np.abs(body.residual()).max() < 1e-12
     assert np.abs(body.tension(body.rest)).max() < 1e-12
+
+
+@pytest.mark.parametrize("degree", [1, 2])
+def test_only_rigid_motion_is_free(degree):
+    """Six zero eigenvalues per curve, all others positive: no spurious modes."""
+    body = cached_body("beam", degree)
+    body.set_state(body.rest)
+    values = np.linalg.eigvalsh(dense_tangent(body)) / np.abs(dense_tangent(body)).max()
+    assert np.abs(values[:12]).max() < 1e-12
+    assert values[12] > 1e-7
 
 
 def test_straight_stores_the_energy_of_bending():

@@ -9,8 +9,7 @@ from braidx.forms.materials import (
     Strain,
     TransverselyIsotropic,
     axial_energy,
-    coupling_energy,
-    in_plane_energy,
+    section_energy,
     shear_energy,
     stiffness,
 )
@@ -41,7 +40,7 @@ def test_energy_is_that_of_the_inverse_compliance(axial, transverse, shear, acro
     expected = 0.5 * normal @ np.linalg.inv(compliance(law)) @ normal
     expected += transverse / (1.0 + across) * e[2] ** 2 + 2.0 * shear * (e[4] ** 2 + e[5] ** 2)
     strain = Strain(*e)
-    parts = (in_plane_energy, coupling_energy, axial_energy, shear_energy)
+    parts = (axial_energy, section_energy, shear_energy)
     energy = sum(part(strain, law) for part in parts)
     assert energy == pytest.approx(expected, rel=1e-9)
 
@@ -51,4 +50,4 @@ def test_isotropic_law_has_the_lame_constants():
     first = modulus * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
     shear = modulus / (2.0 * (1.0 + poisson))
     c = stiffness(TransverselyIsotropic(modulus, modulus, shear, poisson, poisson))
-    assert c == pytest.approx((first + 2.0 * shear, first, first, first + 2.0 * shear))
+    assert c == pytest.approx((first + 2.0 * shear, first))

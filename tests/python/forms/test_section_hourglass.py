@@ -1,4 +1,4 @@
-"""Zigzag stretch of sections is resisted by the section's own stiffness, however thin the filaments."""
+"""Zigzag stretch of sections is resisted by their own stiffness, however thin the filaments."""
 
 import numpy as np
 import pytest
