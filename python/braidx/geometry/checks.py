@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from braidx.geometry.measures import helix_angle, strand_share
+from braidx.geometry.closed_forms import helix_angle, strand_share
 from braidx.geometry.motif import check_motif, motif_matrix
 from braidx.geometry.strand import (
     OVERLAP_ALLOWED,

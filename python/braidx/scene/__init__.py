@@ -1,7 +1,9 @@
 """Scenes: a rope, its model and its programme, as TOML files and as frozen dataclasses."""
 
 from braidx.scene.build import scene_from_dict
+from braidx.scene.compare import difference
 from braidx.scene.errors import SceneError
+from braidx.scene.load import load_scene
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
     ContactOptions,
@@ -13,7 +15,7 @@ from braidx.scene.numerics import (
 from braidx.scene.recipe import BraidRecipe, RopeRecipe, StrandRecipe
 from braidx.scene.scene import Scene
 from braidx.scene.steps import Cycle, Form, Hold, Pull, Settle, Step
-from braidx.scene.toml import difference, load_scene, to_toml
+from braidx.scene.write import to_toml
 
 __all__ = [
     "BraidRecipe",

@@ -6,7 +6,7 @@ import dataclasses
 from typing import Any, TypeVar
 
 from braidx.scene.errors import SceneError, nearest
-from braidx.scene.fields import Table
+from braidx.scene.fields import Table, in_unit, spec_of
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
     ContactOptions,
@@ -74,8 +74,7 @@ def table_from_dict(cls: type[T], entries: dict[str, Any], where: str) -> T:
     for field in known.values():
         no_default = field.default is field.default_factory is dataclasses.MISSING
         if no_default and field.name not in entries:
-            unit = field.metadata["spec"].unit
-            cure = "missing, add it" + ("." if unit == "-" else f", in {unit}.")
+            cure = f"missing, add it{in_unit(spec_of(field))}."
             raise SceneError(f"{where}.{field.name}", cure)
     try:
         return cls(**entries)

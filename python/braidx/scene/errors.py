@@ -5,7 +5,7 @@ from __future__ import annotations
 from difflib import get_close_matches
 from collections.abc import Iterable
 
-NO_VALUE = object()
+NO_VALUE = ...  # keeps its identity when an error is sent to another process
 
 
 class SceneError(ValueError):

@@ -80,15 +80,16 @@ def members(hint: Any) -> tuple[Any, ...]:
     return get_args(hint) if get_origin(hint) in (Union, types.UnionType) else (hint,)
 
 
-def type_text(hint: Any) -> str:
+def type_text(hint: Any, plural: bool = False) -> str:
     """A type in words."""
     names = {float: "number", int: "whole number", bool: "true or false", str: "text"}
     parts = [part for part in members(hint) if part is not type(None)]
     if len(parts) > 1:
-        return " or ".join(type_text(part) for part in parts)
+        return " or ".join(type_text(part, plural) for part in parts)
+    plural_mark = "s" if plural else ""
     if get_origin(parts[0]) is tuple:
-        return f"list of {type_text(get_args(parts[0])[0])}".replace("number", "numbers", 1)
-    return names.get(parts[0], "table")
+        return f"list{plural_mark} of {type_text(get_args(parts[0])[0], plural=True)}"
+    return names.get(parts[0], "table") + plural_mark
 
 
 def convert(value: Any, hint: Any, spec: Spec, key: str) -> Any:
@@ -102,7 +103,7 @@ def convert(value: Any, hint: Any, spec: Spec, key: str) -> Any:
             return None
         if _fits(value, member):
             return _checked(value, member, spec, key)
-    raise SceneError(key, f"wrong type, give a {type_text(hint)}{_unit_text(spec)}.", value)
+    raise SceneError(key, f"wrong type, give a {type_text(hint)}{in_unit(spec)}.", value)
 
 
 def _fits(value: Any, hint: Any) -> bool:
@@ -154,6 +155,11 @@ def _check_text(value: str, spec: Spec, key: str) -> None:
         raise SceneError(key, f"choose {' or '.join(texts)}; {cure}", value)
     if spec.pattern and value not in texts and not re.fullmatch(spec.pattern, value):
         raise SceneError(key, f"not understood, write it as {spec.example}.", value)
+
+
+def in_unit(spec: Spec) -> str:
+    """The unit after a comma, empty where there is none."""
+    return "" if spec.unit == "-" else f", in {spec.unit}"
 
 
 def _unit_text(spec: Spec) -> str:

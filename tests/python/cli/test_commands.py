@@ -1,0 +1,165 @@
+"""The commands where all is well, with the computation itself replaced."""
+
+import json
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+import braidx as package
+from braidx.scene import load_scene
+from braidx.scene.reference import json_schema, markdown
+
+DEMOS = Path(__file__).parents[3] / "demos"
+SMALL = str(DEMOS / "small_rope.toml")
+
+SUMMARY = {
+    "scene": "small_rope",
+    "converged": True,
+    "results": {
+        "efficiency": {
+            "value": 0.71,
+            "unit": "-",
+            "reference": 0.699,
+            "source": "paper 1",
+            "tolerance": 0.1,
+            "met": True,
+        },
+        "friction_work": {
+            "value": None,
+            "unit": "mJ",
+            "reference": None,
+            "source": None,
+            "tolerance": None,
+            "met": None,
+        },
+    },
+    "cost": {
+        "phases": {
+            "form": {"seconds": 1.5, "increments": 3, "newton_iterations": 9, "linear_solves": 9}
+        },
+        "peak_memory_MB": 200.0,
+        "unknowns": 888,
+        "contact_elements": 64,
+        "ranks": 1,
+        "threads": 2,
+    },
+}
+
+
+class NotConverged(RuntimeError):
+    pass
+
+
+@pytest.fixture
+def processes(tmp_path, monkeypatch):
+    """Stands in for the computation: remembers its calls."""
+    monkeypatch.chdir(tmp_path)
+    calls = []
+
+    def run(scene, out_dir, resume=False):
+        calls.append((scene, out_dir, resume))
+        (out_dir / "summary.json").write_text(json.dumps(SUMMARY))
+        return SUMMARY
+
+    module = SimpleNamespace(run=run, NotConverged=NotConverged, calls=calls)
+    monkeypatch.setitem(sys.modules, "braidx.processes", module)
+    monkeypatch.setattr(package, "processes", module, raising=False)
+    monkeypatch.setattr("braidx.cli.commands.require_solver", lambda: None)
+    monkeypatch.setattr("braidx.cli.commands.agreed", lambda prepare: prepare())
+    return module
+
+
+@pytest.fixture
+def invoke(braidx):
+    def call(*words, code=0):
+        result = braidx(*words)
+        assert result.code == code, result
+        return result
+
+    return call
+
+
+def test_run_hands_over_scene_and_folder_and_prints_the_results(invoke, processes):
+    result = invoke("run", SMALL, "--set", "contact.friction=0.2")
+    ((scene, folder, resume),) = processes.calls
+    assert scene == load_scene(SMALL, ["contact.friction=0.2"])
+    assert (folder, resume) == (Path("results/small_rope"), False)
+    assert load_scene(folder / "scene.toml") == scene
+    assert "efficiency" in result.stdout and "0.71" in result.stdout
+
+
+def test_folders_are_numbered_and_the_newest_is_resumed(invoke, processes):
+    for _ in range(3):
+        invoke("run", SMALL)
+    invoke("run", SMALL, "--resume")
+    folders = [folder.name for _, folder, _ in processes.calls]
+    assert folders == ["small_rope", "small_rope-2", "small_rope-3", "small_rope-3"]
+    assert processes.calls[-1][2] is True
+
+
+def test_a_run_is_not_overwritten(invoke, processes):
+    invoke("run", SMALL, "--out", "mine")
+    assert "mine holds a run; add --resume" in invoke("run", SMALL, "--out", "mine", code=2).stderr
+    invoke("run", SMALL, "--out", "mine", "--resume")
+    assert len(processes.calls) == 2
+
+
+def test_a_resume_of_another_scene_names_what_differs(invoke, processes):
+    invoke("run", SMALL, "--out", "mine")
+    words = ("run", SMALL, "--out", "mine", "--resume", "--set")
+    (line,) = invoke(*words, "contact.friction=0.3", code=2).stderr.splitlines()
+    assert "contact.friction: 0.3 here, 0.1 there" in line
+    assert len(processes.calls) == 1
+    invoke(*words, "solver.threads=2")
+    invoke("run", "mine/scene.toml", "--out", "mine", "--resume")
+
+
+def test_a_diverged_run_ends_with_3(invoke, processes):
+    def diverge(scene, out_dir, resume=False):
+        raise NotConverged("increment 4: yarns 3 and 7 at crossing 5")
+
+    processes.run = diverge
+    (line,) = invoke("run", SMALL, "--out", "mine", code=3).stderr.splitlines()
+    assert "increment 4: yarns 3 and 7" in line and "mine" in line
+    assert Path("mine/scene.toml").exists()
+
+
+def test_demo_runs_the_rope_of_the_paper(invoke, processes):
+    invoke("demo", "--set", "rope.pitches=1")
+    assert processes.calls[0][0].name == "tensile_test"
+    assert processes.calls[0][0].rope.pitches == 1
+
+
+def test_check_prints_what_would_be_computed(invoke):
+    text = invoke("check", str(DEMOS / "tensile_test.toml"), "--set", "yarn.model=beam").stdout
+    for wanted in ("84 (beam)", "12 of 1 + 6 yarns", "144", "20412 as cables, 61236 as beams"):
+        assert wanted in text
+
+
+def test_check_takes_a_strand(invoke):
+    assert "7 (cable)" in invoke("check", str(DEMOS / "twisted_strand.toml")).stdout
+
+
+def test_show_draws_a_scene(invoke, tmp_path):
+    picture = tmp_path / "new" / "start.png"
+    assert "start configuration" in invoke("show", SMALL, "--out", str(picture)).stdout
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_show_prints_a_run(invoke, tmp_path):
+    (tmp_path / "summary.json").write_text(json.dumps(SUMMARY))
+    text = invoke("show", str(tmp_path)).stdout
+    for wanted in ("converged", "efficiency", "0.699", "888 unknowns", "form"):
+        assert wanted in text
+
+
+def test_show_refuses_a_broken_summary(invoke, tmp_path):
+    (tmp_path / "summary.json").write_text("{}")
+    assert "cannot be read" in invoke("show", str(tmp_path), code=2).stderr
+
+
+def test_schema_as_json_and_as_markdown(invoke):
+    assert json.loads(invoke("schema").stdout) == json_schema()
+    assert invoke("schema", "--markdown").stdout == markdown()
