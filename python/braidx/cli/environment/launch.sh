@@ -5,8 +5,9 @@ make_prefix() {
     local cores paths=$checkout/python:$build
     cores=$(nproc 2>/dev/null || echo 1)
     [ ${#inside[@]} -gt 0 ] || paths+=${PYTHONPATH:+:$PYTHONPATH}
-    prefix=("${inside[@]}" env "PYTHONPATH=$paths" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
-    [ -n "${DISPLAY:-}" ] || prefix+=(PYVISTA_OFF_SCREEN=true)
+    # The ranks of one machine talk through shared memory; without TCP no network interface is missed.
+    prefix=("${inside[@]}" env "PYTHONPATH=$paths" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+        "OMPI_MCA_btl=${OMPI_MCA_btl:-^tcp}")
     [ "$ranks" -gt 1 ] || return 0
     local threads=$((cores > ranks ? cores / ranks : 1))
     prefix+=("OMP_NUM_THREADS=${OMP_NUM_THREADS:-$threads}" "OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-$threads}"

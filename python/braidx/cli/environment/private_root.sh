@@ -48,20 +48,20 @@ update_private_root() {
 }
 
 make_private_root() {
-    local partial=$private_root.partial packages options size
+    local partial=$private_root.partial packages options growing
+    growing=$partial
     mapfile -t packages <"$here/debian.txt"
     rm -rf --one-file-system "$partial" "$private_root"
-    note "preparing a private Debian 13 with DOLFINx in $private_root (once; about 5 minutes and 4 GB)"
+    note "DOLFINx >= 0.9 is not here: making a private Debian 13 with it in $private_root (once; 5 minutes, 4 GB)"
     mapfile -t options < <(apt_settings)
-    options+=(--variant=minbase --include="$(IFS=,; echo "ca-certificates,${packages[*]}")"
+    options+=(--variant=minbase --include="$(IFS=,; echo "${packages[*]}")"
         --dpkgopt=force-unsafe-io --dpkgopt='path-exclude=/usr/share/man/*' --dpkgopt='path-exclude=/usr/share/doc/*')
     step "downloading and unpacking" debootstrap_into "$partial" "${options[@]}" ||
         stop "the private Debian 13 could not be made (log above). Remedies: a network connection to
     deb.debian.org (http_proxy is honoured), 5 GB free in $cache, or conda / Docker as README.md says"
     cp "$here/debian.txt" "$partial/etc/braidx-packages"
     mv "$partial" "$private_root"
-    size=$(du -s --block-size=1M "$private_root" | cut -f 1)
-    note "environment ready: $((size / 1000)).$((size % 1000 / 100)) GB, $SECONDS s"
+    note "environment ready: $(size_of "$private_root"), $SECONDS s"
 }
 
 # Without root the files would belong to foreign user ids; a tar stream makes them the user's own.
