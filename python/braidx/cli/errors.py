@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -13,6 +14,7 @@ from braidx.scene import SceneError
 
 BAD_INPUT = 2
 NOT_CONVERGED = 3
+PAUSE = 10.0  # s
 
 
 def rank() -> int:
@@ -22,9 +24,14 @@ def rank() -> int:
 
 
 def stop(message: str, code: int) -> typer.Exit:
-    """Print one line on stderr, once however many processes run; raise what is returned."""
-    if rank() == 0:
-        typer.echo(f"braidx: {message}", err=True)
+    """Print one line on stderr, once however many processes run; raise what is returned.
+
+    mpirun ends all processes as soon as one fails, so the first one goes first; the others get no
+    further than their pause unless they fail alone.
+    """
+    if rank() > 0:
+        time.sleep(PAUSE)
+    typer.echo(f"braidx: {message}", err=True)
     return typer.Exit(code)
 
 

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from braidx.cli.errors import PAUSE
+
 SMALL = str(Path(__file__).parents[3] / "demos" / "small_rope.toml")
 PAPER = str(Path(__file__).parents[3] / "demos" / "tensile_test.toml")
 
@@ -94,3 +96,11 @@ def test_a_folder_without_a_run(refuse, tmp_path):
 @pytest.mark.parametrize("command", ["test", "shell"])
 def test_what_only_the_launcher_does(refuse, command):
     assert f"./braidx {command}" in refuse(command, "-k", "something")
+
+
+def test_the_first_of_several_processes_speaks_first(refuse, monkeypatch):
+    monkeypatch.setenv("OMPI_COMM_WORLD_RANK", "1")
+    pauses: list[float] = []
+    monkeypatch.setattr("time.sleep", pauses.append)
+    refuse("check", "nosuch.toml")
+    assert pauses == [PAUSE]
