@@ -115,7 +115,10 @@ def _fits(value: Any, hint: Any) -> bool:
         entry = get_args(hint)[0]
         return isinstance(value, (list, tuple)) and all(_fits(each, entry) for each in value)
     if get_origin(hint) is dict:
-        return isinstance(value, dict)
+        kinds = members(get_args(hint)[1])
+        return isinstance(value, dict) and all(
+            any(_fits(each, kind) for kind in kinds) for each in value.values()
+        )
     return isinstance(value, hint)
 
 

@@ -2,7 +2,15 @@
 
 import pytest
 
-from braidx.scene import ContactOptions, Pull, RopeRecipe, SceneError, StrandRecipe, YarnModel
+from braidx.scene import (
+    ContactOptions,
+    Pull,
+    RopeRecipe,
+    SceneError,
+    SolverOptions,
+    StrandRecipe,
+    YarnModel,
+)
 
 
 def message(make, **values):
@@ -54,3 +62,8 @@ def test_a_material_is_stable():
 
 def test_friction_may_be_zero():
     assert ContactOptions(friction=0).friction == 0.0
+
+
+def test_petsc_options_are_single_values():
+    assert SolverOptions(petsc={"pc_type": "lu", "mat_mumps_icntl_14": 80}).petsc["pc_type"] == "lu"
+    assert "solver.petsc" in message(SolverOptions, petsc={"pc_type": [1]})
