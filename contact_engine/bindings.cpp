@@ -8,6 +8,10 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/vector.h>
 
+NB_MAKE_OPAQUE(std::vector<braidx::Tube>)
+NB_MAKE_OPAQUE(std::vector<braidx::Crossing>)
+NB_MAKE_OPAQUE(braidx::ContactElements)
+
 namespace nb = nanobind;
 using namespace nb::literals;
 using namespace braidx;
@@ -19,6 +23,8 @@ template <class T> using InOut = nb::ndarray<T, nb::numpy, nb::c_contig, nb::dev
 
 template <class T> std::span<const T> view(const In<T>& array) { return {array.data(), array.size()}; }
 template <class T> std::span<T> view(const InOut<T>& array) { return {array.data(), array.size()}; }
+
+Vec3 vector3(const In<double>& array) { return Eigen::Map<const Vec3>(array.data()); }
 
 /// A new NumPy array of the given shape, filled by fill(data).
 template <class T, class Fill> auto make_array(std::initializer_list<std::size_t> shape, const Fill& fill) {
@@ -51,12 +57,13 @@ std::vector<Tube> make_tubes(const In<std::int64_t>& first_unknown, const In<std
 }
 
 std::vector<Crossing> make_crossings(const In<std::int32_t>& tubes, const In<double>& windows,
-                                     const In<double>& normals) {
+                                     const In<std::int32_t>& order, const In<double>& axis) {
+    const Vec3 point = Eigen::Map<const Vec3>(axis.data()), direction = Eigen::Map<const Vec3>(axis.data() + 3);
     std::vector<Crossing> out;
     for (std::size_t i = 0; i < tubes.size() / 2; ++i) {
         const auto* t = tubes.data() + 2 * i;
         const auto* w = windows.data() + 4 * i;
-        out.push_back({t[0], t[1], w[0], w[1], w[2], w[3], Eigen::Map<const Vec3>(normals.data() + 3 * i)});
+        out.push_back({t[0], t[1], w[0], w[1], w[2], w[3], order.data()[i], point, direction.normalized()});
     }
     return out;
 }
@@ -73,6 +80,9 @@ nb::dict element_arrays(const ContactElements& elements) {
     out["xi"] = gather<double>(elements, 4, [](const E& e, auto i) { return i < 2 ? e.xi_a[i] : e.xi_b[i - 2]; });
     out["slip"] = gather<double>(elements, 3, [](const E& e, auto i) { return e.slip[i]; });
     out["work"] = gather<double>(elements, 1, [](const E& e, auto) { return e.work; });
+    out["body_b"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.body_b; });
+    out["wall"] = gather<double>(elements, 6, [](const E& e, auto i) { return i < 3 ? e.wall[i] : e.wall_start[i - 3]; });
+    out["allowance"] = gather<double>(elements, 1, [](const E& e, auto) { return e.allowance; });
     out["zone"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.zone; });
     out["crossing"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.crossing; });
     return out;
@@ -87,15 +97,18 @@ ContactElements elements_from_arrays(const nb::dict& arrays) {
     const auto *s = column<double>(arrays, "s"), *normal = column<double>(arrays, "normal"),
                *weight = column<double>(arrays, "weight"), *stiffness = column<double>(arrays, "stiffness"),
                *xi = column<double>(arrays, "xi"), *slip = column<double>(arrays, "slip"),
-               *work = column<double>(arrays, "work");
+               *work = column<double>(arrays, "work"),
+               *allowance = column<double>(arrays, "allowance"), *wall = column<double>(arrays, "wall");
     const auto* station = column<std::int64_t>(arrays, "station");
-    const auto *zone = column<std::int32_t>(arrays, "zone"), *crossing = column<std::int32_t>(arrays, "crossing");
+    const auto *zone = column<std::int32_t>(arrays, "zone"), *body_b = column<std::int32_t>(arrays, "body_b"),
+               *crossing = column<std::int32_t>(arrays, "crossing");
     ContactElements out(nb::cast<In<double>>(arrays["weight"]).size());
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = {.tube_a = tubes[2 * i], .tube_b = tubes[2 * i + 1], .s_a = s[2 * i], .s_b = s[2 * i + 1],
+        out[i] = {.tube_a = tubes[2 * i], .tube_b = tubes[2 * i + 1], .body_b = body_b[i], .s_a = s[2 * i], .s_b = s[2 * i + 1],
                   .station = station[i], .normal = Eigen::Map<const Vec3>(normal + 3 * i), .weight = weight[i],
                   .stiffness = stiffness[i], .xi_a = {xi[4 * i], xi[4 * i + 1]}, .xi_b = {xi[4 * i + 2], xi[4 * i + 3]},
-                  .slip = Eigen::Map<const Vec3>(slip + 3 * i), .work = work[i], .zone = zone[i],
+                  .slip = Eigen::Map<const Vec3>(slip + 3 * i), .work = work[i], .wall = Eigen::Map<const Vec3>(wall + 6 * i),
+                  .wall_start = Eigen::Map<const Vec3>(wall + 6 * i + 3), .allowance = allowance[i], .zone = zone[i],
                   .crossing = crossing[i]};
     return out;
 }
@@ -124,6 +137,8 @@ nb::dict contact_results(const std::vector<Tube>& tubes, const ContactElements& 
     out["friction_force"] = vector([&](std::size_t i) { return reactions[i].friction_force; });
     out["position"] = vector([&](std::size_t i) -> Vec3 {
         const auto& e = elements[i];
+        if (against_rigid(e))
+            return e.wall;
         return 0.5 * (position(tubes[e.tube_a], view(q), e.s_a) + position(tubes[e.tube_b], view(q), e.s_b));
     });
     return out;
@@ -152,6 +167,7 @@ NB_MODULE(braidx_engine, m) {
     nb::class_<std::vector<Tube>>(m, "Tubes");
     nb::class_<std::vector<Crossing>>(m, "Crossings")
         .def("__len__", [](const std::vector<Crossing>& c) { return c.size(); });
+    nb::class_<Rigid>(m, "Rigid");
     nb::class_<ContactElements>(m, "ContactElements")
         .def(nb::init<>())
         .def("__len__", [](const ContactElements& e) { return e.size(); })
@@ -159,8 +175,12 @@ NB_MODULE(braidx_engine, m) {
         .def("arrays", &element_arrays)
         .def_static("from_arrays", &elements_from_arrays, "arrays"_a);
     nb::class_<Pattern>(m, "Pattern")
-        .def_prop_ro("row", [](const Pattern& p) { return make_array<std::int64_t>({p.row.size()}, [&](auto* out) { std::ranges::copy(p.row, out); }); })
-        .def_prop_ro("col", [](const Pattern& p) { return make_array<std::int64_t>({p.col.size()}, [&](auto* out) { std::ranges::copy(p.col, out); }); });
+        .def("blocks", [](const Pattern& p) {
+            const auto copy = [](const std::vector<std::int64_t>& v) {
+                return make_array<std::int64_t>({v.size()}, [&](auto* out) { std::ranges::copy(v, out); });
+            };
+            return nb::make_tuple(copy(p.row), copy(p.col));
+        });
 
     nb::class_<SearchOptions>(m, "SearchOptions")
         .def(nb::init<>())
@@ -189,13 +209,25 @@ NB_MODULE(braidx_engine, m) {
 
     m.def("make_tubes", &make_tubes, "first_unknown"_a, "num_elements"_a, "degree"_a, "block"_a, "radius"_a,
           "element_length"_a, "body"_a, "smooth"_a);
-    m.def("make_crossings", &make_crossings, "tubes"_a, "windows"_a, "normals"_a);
+    m.def("make_crossings", &make_crossings, "tubes"_a, "windows"_a, "order"_a, "axis"_a);
     m.def("make_contact_elements",
-          [](const std::vector<Tube>& tubes, const std::vector<Crossing>& crossings, const In<double>& q,
-             const ContactElements& previous, const PairingOptions& options) {
-              return make_contact_elements(tubes, crossings, view(q), previous, options);
+          [](const std::vector<Tube>& tubes, const std::vector<Crossing>& crossings, const std::vector<Rigid>& rigid,
+             const In<double>& q, const ContactElements& previous, const PairingOptions& options) {
+              return make_contact_elements({tubes, crossings, rigid}, view(q), previous, options);
           },
-          "tubes"_a, "crossings"_a, "q"_a, "previous"_a, "options"_a);
+          "tubes"_a, "crossings"_a, "rigid"_a, "q"_a, "previous"_a, "options"_a);
+    m.def("make_plane", [](const In<double>& point, const In<double>& normal, int body) {
+        return Rigid{Plane{vector3(point), vector3(normal).normalized()}, body};
+    }, "point"_a, "normal"_a, "body"_a);
+    m.def("make_cylinder", [](const In<double>& point, const In<double>& axis, double radius, bool hollow, int body) {
+        return Rigid{Cylinder{vector3(point), vector3(axis).normalized(), radius, hollow}, body};
+    }, "point"_a, "axis"_a, "radius"_a, "hollow"_a, "body"_a);
+    m.def("make_sheave", [](const In<double>& centre, const In<double>& axis, double radius, double groove_radius, int body) {
+        return Rigid{Sheave{vector3(centre), vector3(axis).normalized(), radius, groove_radius}, body};
+    }, "centre"_a, "axis"_a, "radius"_a, "groove_radius"_a, "body"_a);
+    m.def("moved", [](const Rigid& rigid, const In<double>& pivot, const In<double>& rotation, const In<double>& translation) {
+        return Rigid{rigid.shape, rigid.body, vector3(pivot), vector3(rotation), vector3(translation)};
+    }, "rigid"_a, "pivot"_a, "rotation"_a, "translation"_a);
     m.def("make_pattern", &make_pattern, "tubes"_a, "elements"_a);
     m.def("add_residual",
           [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q,

@@ -44,9 +44,15 @@ void add_side(LocalSystem& system, const Tube& tube, double s, const double (&xi
 
 LocalSystem local_system(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q) {
     LocalSystem system;
+    system.gap = element.allowance;
     add_side(system, tubes[element.tube_a], element.s_a, element.xi_a, element.normal, -1, q);
     system.count_a = system.count;
-    add_side(system, tubes[element.tube_b], element.s_b, element.xi_b, element.normal, 1, q);
+    if (against_rigid(element)) {
+        system.gap += element.normal.dot(element.wall);
+        system.separation += element.wall;
+    } else {
+        add_side(system, tubes[element.tube_b], element.s_b, element.xi_b, element.normal, 1, q);
+    }
     return system;
 }
 

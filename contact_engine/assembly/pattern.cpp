@@ -25,7 +25,8 @@ int vector_unknowns(const std::vector<Tube>& tubes, const ContactElement& elemen
                 unknown[count++] = tube.unknown_of(section.node[i]) + 3 * which;
     };
     add_side(tubes[element.tube_a], element.s_a);
-    add_side(tubes[element.tube_b], element.s_b);
+    if (!against_rigid(element))
+        add_side(tubes[element.tube_b], element.s_b);
     return count;
 }
 

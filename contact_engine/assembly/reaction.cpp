@@ -6,7 +6,7 @@ Reaction reaction(const std::vector<Tube>& tubes, const ContactElement& element,
                   const ContactLaws& laws) {
     Reaction out{.system = local_system(tubes, element, q), .friction = {0, laws.reversible_slip}};
     double gap = out.system.gap;
-    const double mu = laws.coefficient(tubes[element.tube_a].body, tubes[element.tube_b].body);
+    const double mu = laws.coefficient(tubes[element.tube_a].body, element.body_b);
     const bool may_act = gap < 0, needs_start = may_act && (mu > 0 || laws.gap_step >= 0);
     LocalSystem start;
     if (needs_start)
@@ -19,7 +19,7 @@ Reaction reaction(const std::vector<Tube>& tubes, const ContactElement& element,
     if (!out.acts() || mu <= 0)
         return out;
     out.friction.coefficient = mu;
-    const Vec3 moved = out.system.separation - start.separation;
+    const Vec3 moved = out.system.separation - start.separation + element.wall - element.wall_start;
     out.slip = element.slip + moved - element.normal.dot(moved) * element.normal;
     out.friction_force = out.normal_force * out.friction.direction(out.slip);
     return out;

@@ -6,7 +6,7 @@
 namespace braidx {
 namespace {
 
-std::int64_t key(const ContactElement& e) { return std::int64_t{e.tube_a} << 32 | std::int64_t{e.tube_b}; }
+std::int64_t key(const ContactElement& e) { return std::int64_t{e.tube_a} * (std::int64_t{1} << 32) + e.tube_b; }
 
 } // namespace
 
@@ -24,8 +24,9 @@ const ContactElement* History::predecessor(const ContactElement& element, double
         const auto& old = previous_[at->second];
         if (old.station != element.station)
             continue;
-        const double apart = std::abs(old.s_a - element.s_a) * tubes_[element.tube_a].element_length +
-                             std::abs(old.s_b - element.s_b) * tubes_[element.tube_b].element_length;
+        double apart = std::abs(old.s_a - element.s_a) * tubes_[element.tube_a].element_length;
+        if (!against_rigid(element))
+            apart += std::abs(old.s_b - element.s_b) * tubes_[element.tube_b].element_length;
         if (apart < reach) {
             reach = apart;
             best = &old;
@@ -35,7 +36,7 @@ const ContactElement* History::predecessor(const ContactElement& element, double
 }
 
 void inherit(ContactElement& element, const ContactElement& predecessor) {
-    if (element.crossing < 0 && element.normal.dot(predecessor.normal) < 0)
+    if (element.crossing < 0 && !against_rigid(element) && element.normal.dot(predecessor.normal) < 0)
         element.normal = -element.normal;
     const double length = predecessor.slip.norm();
     if (length > 0) {

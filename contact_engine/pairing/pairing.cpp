@@ -33,28 +33,57 @@ class Builder {
     Builder(const Tubes& tubes, Unknowns q, const ContactElements& previous, const PairingOptions& options)
         : tubes_(tubes), q_(q), options_(options), history_(previous, tubes) {}
 
-    void add(std::int32_t a, std::int32_t b, const std::vector<Station>& stations, const Crossing* crossing,
-             std::int32_t crossing_number) {
+    void add_zone(std::int32_t a, std::int32_t b, const std::vector<Station>& stations) {
         const std::size_t first = elements.size();
-        for (const auto& s : stations) {
-            ContactElement e{.tube_a = a, .tube_b = b, .s_a = s.s_a, .s_b = s.s_b, .station = s.index,
-                             .normal = crossing ? crossing->normal : centre_to_centre(a, b, s), .weight = s.weight,
-                             .stiffness = 0};
-            e.crossing = crossing_number;
-            e.zone = num_zones_;
-            if (const auto* old = history_.predecessor(e, 4 * options_.spacing))
-                inherit(e, *old);
-            face(tubes_[a], q_, s.s_a, e.normal, e.xi_a);
-            face(tubes_[b], q_, s.s_b, -e.normal, e.xi_b);
-            elements.push_back(e);
+        for (const auto& s : stations)
+            add({.tube_a = a, .tube_b = b, .s_a = s.s_a, .s_b = s.s_b, .station = s.index,
+                 .normal = centre_to_centre(a, b, s), .weight = s.weight, .stiffness = 0});
+        share_stiffness(first);
+    }
+
+    /// The tube `a` may touch a rigid surface anywhere: one proximity zone per tube.
+    void add_wall(std::int32_t a, const Rigid& rigid, std::int32_t number) {
+        const Tube& tube = tubes_[a];
+        const std::size_t first = elements.size();
+        const auto count = static_cast<std::int64_t>(std::ceil(tube.length() / options_.spacing));
+        const double spacing = tube.length() / static_cast<double>(count);
+        for (std::int64_t k = 0; k < count; ++k) {
+            const double s = (static_cast<double>(k) + 0.5) * spacing / tube.element_length;
+            const Vec3 x = position(tube, q_, s);
+            const auto wall = rigid.nearest(x);
+            if ((x - wall.position).dot(wall.normal) > tube.radius + options_.search.margin)
+                continue;
+            add({.tube_a = a, .tube_b = -1 - number, .body_b = rigid.body, .s_a = s, .s_b = 0, .station = k,
+                 .normal = -wall.normal, .weight = spacing, .stiffness = 0, .wall = wall.position,
+                 .wall_start = rigid.at_start(wall.position)});
         }
-        if (elements.size() > first)
-            share_stiffness(first);
+        share_stiffness(first);
+    }
+
+    void add_crossing(const Crossing& crossing, std::int32_t number, const std::vector<OrientedStation>& stations) {
+        const std::size_t first = elements.size();
+        for (const auto& [s, normal, allowance] : stations)
+            add({.tube_a = crossing.tube_a, .tube_b = crossing.tube_b, .s_a = s.s_a, .s_b = s.s_b,
+                 .station = s.index, .normal = normal, .weight = s.weight, .stiffness = 0, .allowance = allowance,
+                 .crossing = number});
+        share_stiffness(first);
     }
 
     ContactElements elements;
 
   private:
+    void add(ContactElement e) {
+        e.zone = num_zones_;
+        if (const auto* old = history_.predecessor(e, 4 * options_.spacing))
+            inherit(e, *old);
+        face(tubes_[e.tube_a], q_, e.s_a, e.normal, e.xi_a);
+        if (!against_rigid(e)) {
+            face(tubes_[e.tube_b], q_, e.s_b, -e.normal, e.xi_b);
+            e.body_b = tubes_[e.tube_b].body;
+        }
+        elements.push_back(e);
+    }
+
     Vec3 centre_to_centre(std::int32_t a, std::int32_t b, const Station& s) const {
         const Vec3 d = position(tubes_[b], q_, s.s_b) - position(tubes_[a], q_, s.s_a);
         const double length = d.norm();
@@ -65,6 +94,8 @@ class Builder {
     }
 
     void share_stiffness(std::size_t first) {
+        if (first == elements.size())
+            return;
         double stiffness = 0;
         for (std::size_t i = first; i < elements.size(); ++i)
             stiffness = std::max(stiffness, elements[i].stiffness);
@@ -93,7 +124,7 @@ Unseparated add_crossings(Builder& builder, const Tubes& tubes, const std::vecto
         const auto stations = crossing_stations(tubes, q, c, options.spacing, options.crossing);
         if (stations.empty())
             continue;
-        builder.add(c.tube_a, c.tube_b, stations, &c, static_cast<std::int32_t>(i));
+        builder.add_crossing(c, static_cast<std::int32_t>(i), stations);
         out.emplace(std::pair(c.tube_a, c.tube_b), &c);
     }
     return out;
@@ -112,18 +143,23 @@ void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone, c
         return pair.across(s).norm() > reach ||
                std::any_of(first, last, [&](const auto& c) { return c.second->contains(arc_a, arc_b); });
     });
-    builder.add(zone.tube_a, zone.tube_b, stations, nullptr, -1);
+    builder.add_zone(zone.tube_a, zone.tube_b, stations);
 }
 
 } // namespace
 
-ContactElements make_contact_elements(const Tubes& tubes, const std::vector<Crossing>& crossings, Unknowns q,
-                                      const ContactElements& previous, const PairingOptions& options) {
+ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q, const ContactElements& previous,
+                                      const PairingOptions& options) {
+    const auto& tubes = surfaces.tubes;
     Builder builder(tubes, q, previous, options);
-    const auto unseparated = add_crossings(builder, tubes, crossings, q, options);
+    const auto unseparated = add_crossings(builder, tubes, surfaces.crossings, q, options);
     for (const auto& zone : proximity_zones(tubes, q, close_pairs(tubes, q, options.search)))
         if (mine(zone.tube_a, zone.tube_b, options))
             add_zone(builder, tubes, zone, unseparated, q, options);
+    for (std::size_t r = 0; r < surfaces.rigid.size(); ++r)
+        for (std::int32_t a = 0; a < static_cast<std::int32_t>(tubes.size()); ++a)
+            if (mine(a, static_cast<std::int32_t>(r), options))
+                builder.add_wall(a, surfaces.rigid[r], static_cast<std::int32_t>(r));
     return std::move(builder.elements);
 }
 

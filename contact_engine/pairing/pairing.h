@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../surfaces/rigid.h"
 #include "contact_element.h"
 #include "crossings.h"
 
@@ -16,8 +17,15 @@ struct PairingOptions {
     int num_parts = 1;
 };
 
+/// Everything that may touch.
+struct Surfaces {
+    std::vector<Tube> tubes;
+    std::vector<Crossing> crossings; ///< of tubes, with prescribed stacking order
+    std::vector<Rigid> rigid;
+};
+
 /// Contact elements for the current configuration. Those of `previous` hand on slip, work, penalty and the side.
-ContactElements make_contact_elements(const std::vector<Tube>& tubes, const std::vector<Crossing>& crossings,
-                                      Unknowns q, const ContactElements& previous, const PairingOptions& options);
+ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q, const ContactElements& previous,
+                                      const PairingOptions& options);
 
 } // namespace braidx

@@ -1,0 +1,44 @@
+#include "rigid.h"
+
+#include <Eigen/Geometry>
+
+namespace braidx {
+namespace {
+
+/// Unit vector along v, or any unit vector across `axis` where v vanishes.
+Vec3 direction(const Vec3& v, const Vec3& axis) {
+    const double length = v.norm();
+    return length > 0 ? Vec3(v / length) : axis.unitOrthogonal();
+}
+
+Vec3 across(const Vec3& v, const Vec3& axis) { return v - v.dot(axis) * axis; }
+
+} // namespace
+
+SurfacePoint Plane::nearest(const Vec3& x) const { return {x - (x - point).dot(normal) * normal, normal}; }
+
+SurfacePoint Cylinder::nearest(const Vec3& x) const {
+    const Vec3 off = across(x - point, axis);
+    const Vec3 radial = direction(off, axis);
+    return {x - off + radius * radial, hollow ? Vec3(-radial) : radial};
+}
+
+SurfacePoint Sheave::nearest(const Vec3& x) const {
+    const Vec3 groove_centre = centre + radius * direction(across(x - centre, axis), axis);
+    const Vec3 inward = direction(x - groove_centre, axis);
+    return {groove_centre + groove_radius * inward, -inward};
+}
+
+SurfacePoint Rigid::nearest(const Vec3& x) const {
+    return std::visit([&](const auto& s) { return s.nearest(x); }, shape);
+}
+
+Vec3 Rigid::at_start(const Vec3& x) const {
+    const Vec3 back = x - translation - pivot;
+    const double angle = rotation.norm();
+    if (angle == 0)
+        return pivot + back;
+    return pivot + Eigen::AngleAxisd(-angle, rotation / angle) * back;
+}
+
+} // namespace braidx

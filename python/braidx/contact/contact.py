@@ -1,0 +1,122 @@
+"""Contact between curves as a term of the global system."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import braidx_engine as engine
+import numpy as np
+
+from ..system.terms import Floats, Ints
+
+
+@dataclass(frozen=True)
+class TubeLayout:
+    """Tubes of all bodies, one entry per curve; see the engine's Tube.
+
+    Attributes:
+        first_unknown: Engine number of the first unknown, shape (num_tubes,).
+        num_elements, degree, block: shape (num_tubes,).
+        radius, element_length: mm, shape (num_tubes,).
+        body: Number of the body, for friction per pair of bodies, shape (num_tubes,).
+    """
+
+    first_unknown: Ints
+    num_elements: Ints
+    degree: Ints
+    block: Ints
+    radius: Floats
+    element_length: Floats
+    body: Ints
+
+
+class Contact:
+    """Contact elements between tubes and their forces.
+
+    Attributes:
+        elements: The current contact elements (engine object).
+        laws: Laws of contact (engine object): regularisation, reversible slip, gap step, friction.
+        pairing: How contact elements are made (engine object).
+        start: Unknowns at the start of the increment, shape (num_unknowns,).
+    """
+
+    def __init__(self, comm, layout: TubeLayout, crossings=None, *, smooth: bool, symmetric: bool) -> None:
+        int32 = {name: getattr(layout, name).astype(np.int32) for name in ("num_elements", "degree", "block", "body")}
+        self.tubes = engine.make_tubes(
+            first_unknown=layout.first_unknown.astype(np.int64),
+            radius=layout.radius.astype(float),
+            element_length=layout.element_length.astype(float),
+            smooth=smooth,
+            **int32,
+        )
+        self.comm = comm
+        self.crossings = crossings if crossings is not None else no_crossings()
+        self.symmetric = symmetric
+        self.rigid: list = []
+        self.laws = engine.ContactLaws()
+        self.pairing = engine.PairingOptions()
+        self.pairing.part, self.pairing.num_parts = comm.rank, comm.size
+        self.elements = engine.ContactElements()
+        self.start: Floats = np.empty(0)
+        self._q: Floats = np.empty(0)
+        self._lay_out()
+
+    def update(self, q: Floats) -> None:
+        """Makes contact elements anew at the unknowns q; memory is carried over."""
+        self.elements = engine.make_contact_elements(
+            self.tubes, self.crossings, self.rigid, q, self.elements, self.pairing
+        )
+        self._lay_out()
+
+    def restore(self, elements) -> None:
+        """Goes back to earlier contact elements, with their memory."""
+        self.elements = elements
+        self._lay_out()
+
+    def commit(self, q: Floats) -> None:
+        """Contact elements remember the increment that ends at q."""
+        engine.commit(self.tubes, self.elements, q, self.start, self.laws)
+
+    def adapt_stiffness(self, q: Floats, tolerance: float, growth: float = 3.0) -> int:
+        """Raises penalties where penetration exceeds `tolerance` (mm); number of zones changed, all processes."""
+        changed = engine.adapt_stiffness(self.tubes, self.elements, q, tolerance, growth)
+        return self.comm.allreduce(changed)
+
+    def results(self, q: Floats) -> dict[str, np.ndarray]:
+        """Results per contact element of this process: gap, normal_force, friction_force, position, normal..."""
+        forces = engine.contact_results(self.tubes, self.elements, q, self.start, self.laws)
+        return {**self.elements.arrays(), **forces}
+
+    def set_state(self, q: Floats) -> None:
+        """See Term."""
+        self._q = q
+
+    def add_residual(self, residual: Floats) -> None:
+        """See Term."""
+        engine.add_residual(self.tubes, self.elements, self._q, self.start, self.laws, residual)
+
+    def tangent_pattern(self) -> tuple[Ints, Ints]:
+        """See Term."""
+        return self._rows, self._cols
+
+    def tangent_values(self) -> Floats:
+        """See Term."""
+        values = np.zeros(len(self._rows))
+        engine.add_tangent(
+            self.tubes, self.elements, self._pattern, self._q, self.start, self.laws, self.symmetric, values
+        )
+        return values
+
+    def _lay_out(self) -> None:
+        self._pattern = engine.make_pattern(self.tubes, self.elements)
+        within = np.arange(3)
+        row, col = self._pattern.blocks()
+        shape = (len(row), 3, 3)
+        self._rows = np.broadcast_to(row[:, None, None] + within[None, :, None], shape).ravel()
+        self._cols = np.broadcast_to(col[:, None, None] + within[None, None, :], shape).ravel()
+
+
+def no_crossings():
+    """Engine object for scenes without prescribed stacking order."""
+    nothing = np.empty(0, np.int32)
+    return engine.make_crossings(tubes=nothing, windows=np.empty(0), order=nothing, axis=np.array([0, 0, 0, 0, 0, 1.0]))

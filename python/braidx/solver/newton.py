@@ -1,0 +1,147 @@
+"""One equilibrium for frozen contact elements: PETSc SNES on the free unknowns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from mpi4py.MPI import MAX
+from petsc4py import PETSc
+
+from ..system.constraints import Floats
+from ..system.global_system import GlobalSystem
+
+
+@dataclass(frozen=True)
+class NewtonOptions:
+    """Options of the Newton iteration.
+
+    Attributes:
+        tolerance: Residual over force scale at which an equilibrium is accepted.
+        max_iterations: Newton iterations before the solve counts as diverged.
+        max_step: Largest change of a position in one iteration, mm; larger steps are scaled down.
+        max_turn: Largest change of a director component in one iteration; those steps are cut one by one.
+        symmetric: Whether the tangent is symmetric (Cholesky instead of LU).
+        petsc: PETSc options passed through, without leading dash.
+    """
+
+    tolerance: float = 1e-6
+    max_iterations: int = 30
+    max_step: float = 1.0
+    max_turn: float = 0.3
+    symmetric: bool = True
+    petsc: Mapping[str, object] | None = None
+
+
+@dataclass(frozen=True)
+class NewtonResult:
+    """Outcome of a solve: whether it converged, in how many iterations, and the last relative residual."""
+
+    converged: bool
+    iterations: int
+    linear_solves: int
+    residual: float
+    reason: str
+
+
+class Newton:
+    """Newton's method with line search for a global system."""
+
+    def __init__(self, system: GlobalSystem, options: NewtonOptions, directors: np.ndarray) -> None:
+        self.system = system
+        self.options = options
+        self._is_director = directors[system.constraints.free]
+        self._residual = system.vector.duplicate()
+        self._snes: PETSc.SNES | None = None
+
+    def renew(self) -> None:
+        """Sets the solver up for the system's current matrix."""
+        if self._snes is not None:
+            self._snes.destroy()
+        snes = PETSc.SNES().create(self.system.comm)
+        snes.setOptionsPrefix("braidx_")
+        snes.setFunction(self._function, self._residual)
+        snes.setJacobian(self._jacobian, self.system.matrix)
+        snes.setConvergenceTest(self._test)
+        snes.setTolerances(max_it=self.options.max_iterations)
+        snes.setLineSearchPreCheck(self._limit_step)
+        ksp = snes.getKSP()
+        ksp.setType("preonly")
+        factorisation = ksp.getPC()
+        factorisation.setType("cholesky" if self.options.symmetric else "lu")
+        serial = self.system.comm.size == 1
+        factorisation.setFactorSolverType("cholmod" if self.options.symmetric and serial else "mumps")
+        options = PETSc.Options("braidx_")
+        for key, value in {"snes_linesearch_type": "bt", **(self.options.petsc or {})}.items():
+            options[key] = value
+        snes.setFromOptions()
+        self._snes = snes
+
+    def solve(self, q: Floats) -> tuple[Floats, NewtonResult]:
+        """Equilibrium from the start q (all unknowns), shape (num_unknowns,), mm.
+
+        Returns:
+            All unknowns at the last iterate, and the outcome.
+        """
+        if self._snes is None:
+            self.renew()
+        snes, system = self._snes, self.system
+        assert snes is not None
+        system.scatter(system.free_values(q), system.vector)
+        try:
+            snes.solve(None, system.vector)
+            reason = _reason_name(snes.getConvergedReason())
+            converged = snes.getConvergedReason() > 0
+        except PETSc.Error as error:
+            reason, converged = f"PETSc error {error.ierr}", False
+        result = NewtonResult(
+            converged, snes.getIterationNumber(), snes.getLinearSolveIterations(), self._relative(), reason
+        )
+        return system.expand(system.gather(system.vector)), result
+
+    def residual(self, q: Floats) -> float:
+        """Relative residual at q."""
+        self.system.set_state(q)
+        self.system.assemble_residual(self._residual)
+        self._norm = self._residual.norm()
+        return self._relative()
+
+    def _relative(self) -> float:
+        return self._norm / max(self.system.force_scale, 1e-300)
+
+    def _function(self, snes: PETSc.SNES, x: PETSc.Vec, f: PETSc.Vec) -> None:
+        self.system.set_state(self.system.expand(self.system.gather(x)))
+        self.system.assemble_residual(f)
+
+    def _jacobian(self, snes: PETSc.SNES, x: PETSc.Vec, matrix: PETSc.Mat, preconditioner: PETSc.Mat) -> None:
+        self.system.set_state(self.system.expand(self.system.gather(x)))
+        self.system.assemble_tangent()
+
+    def _test(self, snes: PETSc.SNES, iteration: int, norms: tuple[float, float, float]) -> int:
+        self._norm = norms[2]
+        if not np.isfinite(self._norm):
+            return PETSc.SNES.ConvergedReason.DIVERGED_FNORM_NAN
+        if self._relative() < self.options.tolerance:
+            return PETSc.SNES.ConvergedReason.CONVERGED_FNORM_RELATIVE
+        if iteration >= self.options.max_iterations:
+            return PETSc.SNES.ConvergedReason.DIVERGED_MAX_IT
+        return PETSc.SNES.ConvergedReason.ITERATING
+
+    def _limit_step(self, x: PETSc.Vec, step: PETSc.Vec) -> bool:
+        """PETSc subtracts the step: x - step."""
+        first, last = step.getOwnershipRange()
+        values, turning = step.array, self._is_director[first:last]
+        turns = values[turning]
+        values[turning] = np.clip(turns, -self.options.max_turn, self.options.max_turn)
+        longest = self.system.comm.allreduce(
+            float(np.abs(values[~turning]).max(initial=0.0)), op=MAX
+        )
+        if longest > self.options.max_step:
+            values *= self.options.max_step / longest
+        return True
+
+
+def _reason_name(code: int) -> str:
+    names = {v: k for k, v in vars(PETSc.SNES.ConvergedReason).items() if isinstance(v, int)}
+    return names.get(code, str(code)).lower().replace("_", " ")

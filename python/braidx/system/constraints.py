@@ -1,0 +1,141 @@
+"""Linear constraints between unknowns: q = T p + c, T sparse, p the free unknowns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse as sp
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class ConstraintMap:
+    """Resolved constraints.
+
+    Attributes:
+        transform: T, shape (num_unknowns, num_free).
+        closure: Maps the inhomogeneous values of the constraints to c, shape (num_unknowns, num_unknowns).
+        free: Engine numbers of the free unknowns, shape (num_free,).
+    """
+
+    transform: sp.csr_matrix
+    closure: sp.csr_matrix
+    free: Ints
+
+    def expand(self, free_values: Floats, constraint_values: Floats) -> Floats:
+        """All unknowns q from the free ones p, shape (num_unknowns,)."""
+        return self.transform @ free_values + self.closure @ constraint_values
+
+    def reduce(self, residual: Floats) -> Floats:
+        """T^T r: what virtual work leaves for the free unknowns, shape (num_free,)."""
+        return self.transform.T @ residual
+
+    def reduce_pattern(self, rows: Ints, cols: Ints) -> ReducedPattern:
+        """COO entries of T^T A T from those of A."""
+        return ReducedPattern.of(self.transform, rows, cols)
+
+
+@dataclass(frozen=True)
+class ReducedPattern:
+    """COO entries of T^T A T; entry k takes factor[k] times value source[k] of A.
+
+    `source` and `factor` are None where every unknown follows at most one free one with factor one: then
+    the reduction is a mere renumbering, and entries of held unknowns have negative indices.
+    """
+
+    rows: Ints
+    cols: Ints
+    source: Ints | None
+    factor: Floats | None
+
+    @staticmethod
+    def of(transform: sp.csr_matrix, rows: Ints, cols: Ints) -> ReducedPattern:
+        """See ConstraintMap.reduce_pattern."""
+        counts = np.diff(transform.indptr)
+        if counts.max(initial=0) <= 1 and np.all(transform.data == 1.0):
+            number = np.full(len(counts), -1, dtype=np.int64)
+            number[counts == 1] = transform.indices
+            return ReducedPattern(number[rows], number[cols], None, None)
+        num_cols = counts[cols]
+        num = counts[rows] * num_cols
+        source = np.repeat(np.arange(len(rows)), num)
+        within = np.arange(len(source)) - np.repeat(np.cumsum(num) - num, num)
+        at_row = transform.indptr[rows][source] + within // num_cols[source]
+        at_col = transform.indptr[cols][source] + within % num_cols[source]
+        return ReducedPattern(
+            transform.indices[at_row].astype(np.int64),
+            transform.indices[at_col].astype(np.int64),
+            source,
+            transform.data[at_row] * transform.data[at_col],
+        )
+
+    def values(self, values: Floats) -> Floats:
+        """Values of the entries from those of A."""
+        if self.source is None or self.factor is None:
+            return values
+        return values[self.source] * self.factor
+
+
+class Constraints:
+    """Collects linear constraints; each unknown may follow others only once."""
+
+    def __init__(self, num_unknowns: int) -> None:
+        self.num_unknowns = num_unknowns
+        self._followers = np.zeros(num_unknowns, dtype=bool)
+        self._rows: list[Ints] = []
+        self._cols: list[Ints] = []
+        self._factors: list[Floats] = []
+
+    def hold(self, unknowns: npt.ArrayLike) -> None:
+        """Unknowns that take their value from the constraint values alone."""
+        self._follow(np.asarray(unknowns, dtype=np.int64))
+
+    def tie(self, unknowns: npt.ArrayLike, to: npt.ArrayLike) -> None:
+        """unknowns = to + constraint value."""
+        followers, leaders = np.broadcast_arrays(np.asarray(unknowns, np.int64), np.asarray(to, np.int64))
+        self._follow(followers)
+        self._add(followers, leaders, np.ones(len(followers)))
+
+    def combine(self, unknown: int, of: npt.ArrayLike, factors: npt.ArrayLike) -> None:
+        """unknown = sum of factors * of + constraint value."""
+        leaders = np.asarray(of, dtype=np.int64)
+        self._follow(np.array([unknown]))
+        self._add(np.full(len(leaders), unknown), leaders, np.asarray(factors, dtype=float))
+
+    def hold_mean(self, unknowns: npt.ArrayLike) -> None:
+        """The mean of unknowns is the constraint value of the last one over their number."""
+        group = np.asarray(unknowns, dtype=np.int64)
+        self.combine(int(group[-1]), group[:-1], -np.ones(len(group) - 1))
+
+    def resolve(self) -> ConstraintMap:
+        """Substitutes chains of constraints.
+
+        Raises:
+            ValueError: If constraints follow each other in a circle.
+        """
+        n = self.num_unknowns
+        rows, cols = np.concatenate([*self._rows, []]), np.concatenate([*self._cols, []])
+        follow = sp.csr_matrix((np.concatenate([*self._factors, []]), (rows, cols)), shape=(n, n))
+        closure = power = sp.identity(n, format="csr")
+        for _ in range(20):
+            power = follow @ power
+            if power.nnz == 0:
+                free = np.flatnonzero(~self._followers)
+                return ConstraintMap(sp.csr_matrix(closure[:, free]), sp.csr_matrix(closure), free)
+            closure = closure + power
+        raise ValueError("constraints of unknowns follow each other in a circle; release one of them")
+
+    def _follow(self, unknowns: Ints) -> None:
+        if self._followers[unknowns].any():
+            twice = unknowns[self._followers[unknowns]][0]
+            raise ValueError(f"unknown {twice} is constrained twice; drop one of its constraints")
+        self._followers[unknowns] = True
+
+    def _add(self, rows: Ints, cols: Ints, factors: Floats) -> None:
+        self._rows.append(rows)
+        self._cols.append(cols)
+        self._factors.append(factors)

@@ -1,0 +1,110 @@
+"""The global system: terms in engine numbering, reduced by the constraint map, as one PETSc COO matrix."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from mpi4py import MPI
+from petsc4py import PETSc
+
+from . import coo
+from .constraints import ConstraintMap, Floats
+from .terms import Term
+
+
+class GlobalSystem:
+    """Residual and tangent of all terms for the free unknowns.
+
+    Attributes:
+        constraints: The current constraint map.
+        constraint_values: Inhomogeneous values of the constraints, shape (num_unknowns,), mm.
+        force_scale: Norm of the largest term of the last residual, N: what "small" is measured against.
+    """
+
+    def __init__(
+        self, comm: MPI.Comm, terms: Sequence[Term], constraints: ConstraintMap, constraint_values: Floats
+    ) -> None:
+        self.comm = comm
+        self.terms = list(terms)
+        self.constraints = constraints
+        self.constraint_values = constraint_values
+        self.force_scale = 0.0
+        self.q = np.zeros(len(constraint_values))
+        self.vector = PETSc.Vec().createMPI((PETSc.DECIDE, self.num_free), comm=comm)
+        self.vector.setUp()
+        self._counts = np.array(comm.allgather(self.vector.getLocalSize()))
+        self.matrix: PETSc.Mat | None = None
+
+    @property
+    def num_free(self) -> int:
+        """Number of free unknowns of all processes."""
+        return len(self.constraints.free)
+
+    def update_pattern(self) -> None:
+        """Lays out the matrix anew, after the contact elements or the constraints changed."""
+        pieces = [self.constraints.reduce_pattern(*term.tangent_pattern()) for term in self.terms]
+        self._pieces = pieces
+        if self.matrix is not None:
+            self.matrix.destroy()
+        size = (self.vector.getLocalSize(), self.num_free)
+        matrix = PETSc.Mat().create(comm=self.comm)
+        matrix.setSizes((size, size))
+        matrix.setType(PETSc.Mat.Type.AIJ)
+        coo.preallocate(
+            matrix, np.concatenate([p.rows for p in pieces]), np.concatenate([p.cols for p in pieces])
+        )
+        self.matrix = matrix
+
+    def set_state(self, q: Floats) -> None:
+        """Hands all unknowns, shape (num_unknowns,), to the terms."""
+        self.q = q
+        for term in self.terms:
+            term.set_state(q)
+
+    def residual(self) -> Floats:
+        """Residual of all unknowns at the current state, shape (num_unknowns,), N; zero in equilibrium where free.
+
+        At held unknowns it is the force that holds them (the reaction).
+        """
+        parts = np.zeros((len(self.terms), len(self.q)))
+        for part, term in zip(parts, self.terms, strict=True):
+            term.add_residual(part)
+        if self.comm.size > 1:
+            self.comm.Allreduce(MPI.IN_PLACE, parts)
+        self.force_scale = float(np.sqrt((parts**2).sum(axis=1).max()))
+        return parts.sum(axis=0)
+
+    def free_values(self, q: Floats) -> Floats:
+        """The free unknowns of q, shape (num_free,)."""
+        return q[self.constraints.free]
+
+    def expand(self, free_values: Floats) -> Floats:
+        """All unknowns of given free ones, shape (num_unknowns,)."""
+        return self.constraints.expand(free_values, self.constraint_values)
+
+    def gather(self, vector: PETSc.Vec) -> Floats:
+        """A distributed vector of free unknowns as one array, equal on all processes."""
+        if self.comm.size == 1:
+            return vector.array_r.copy()
+        whole = np.empty(self.num_free)
+        self.comm.Allgatherv(vector.array_r, (whole, self._counts))
+        return whole
+
+    def scatter(self, values: Floats, vector: PETSc.Vec) -> None:
+        """This process's part of an array of free unknowns into a distributed vector."""
+        first, last = vector.getOwnershipRange()
+        vector.array[:] = values[first:last]
+
+    def assemble_residual(self, vector: PETSc.Vec) -> None:
+        """Residual of the free unknowns at the current state."""
+        self.scatter(self.constraints.reduce(self.residual()), vector)
+
+    def assemble_tangent(self) -> None:
+        """Derivative of the residual of the free unknowns at the current state, into `matrix`."""
+        values = [
+            piece.values(term.tangent_values())
+            for piece, term in zip(self._pieces, self.terms, strict=True)
+        ]
+        assert self.matrix is not None
+        coo.set_values(self.matrix, np.concatenate(values))

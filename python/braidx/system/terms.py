@@ -1,0 +1,116 @@
+"""Terms of the global system: everything that adds forces and stiffness speaks this one language."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+
+class Term(Protocol):
+    """A part of the residual (gradient of the energy, N) in engine numbering, and its derivative.
+
+    Each process returns its own share: the sum over processes is the whole.
+    """
+
+    def set_state(self, q: Floats) -> None:
+        """Takes the current unknowns, shape (num_unknowns,), equal on all processes."""
+
+    def add_residual(self, residual: Floats) -> None:
+        """Adds this process's share, shape (num_unknowns,)."""
+
+    def tangent_pattern(self) -> tuple[Ints, Ints]:
+        """Rows and columns of this process's share of the tangent, shape (num_entries,) each."""
+        ...
+
+    def tangent_values(self) -> Floats:
+        """Values of the tangent's entries, shape (num_entries,)."""
+        ...
+
+
+class BodyTerm:
+    """Internal forces of a body whose unknowns begin at `first_unknown`."""
+
+    def __init__(self, body, first_unknown: int) -> None:
+        self.body = body
+        self.unknowns = slice(first_unknown, first_unknown + body.num_unknowns)
+
+    def set_state(self, q: Floats) -> None:
+        """See Term."""
+        self.body.set_state(q[self.unknowns].reshape(-1, self.body.block))
+
+    def add_residual(self, residual: Floats) -> None:
+        """See Term."""
+        residual[self.unknowns] += self.body.residual()
+
+    def tangent_pattern(self) -> tuple[Ints, Ints]:
+        """See Term."""
+        rows, cols = self.body.tangent_pattern()
+        return rows + self.unknowns.start, cols + self.unknowns.start
+
+    def tangent_values(self) -> Floats:
+        """See Term."""
+        return self.body.tangent_values()
+
+
+class LoadTerm:
+    """Dead loads on unknowns (N on positions, N mm per mm on directors), shape (num_unknowns,)."""
+
+    def __init__(self, num_unknowns: int) -> None:
+        self.loads = np.zeros(num_unknowns)
+        self._none = np.empty(0, dtype=np.int64)
+
+    def set_state(self, q: Floats) -> None:
+        """Dead loads do not follow the state."""
+
+    def add_residual(self, residual: Floats) -> None:
+        """See Term; the loads are given to one process only."""
+        residual -= self.loads
+
+    def tangent_pattern(self) -> tuple[Ints, Ints]:
+        """See Term."""
+        return self._none, self._none
+
+    def tangent_values(self) -> Floats:
+        """See Term."""
+        return np.empty(0)
+
+
+class ProximalTerm:
+    """Viscous stabilisation gamma (q - q_start): forces against the motion since the increment began.
+
+    Attributes:
+        viscosity: gamma per unknown, N/mm for positions (N mm per director unit), shape (num_unknowns,).
+        start: Unknowns at the start of the increment, shape (num_unknowns,).
+    """
+
+    def __init__(self, num_unknowns: int, rank: int = 0) -> None:
+        self.viscosity = np.zeros(num_unknowns)
+        self.start = np.zeros(num_unknowns)
+        self._q = self.start
+        self._mine = np.arange(num_unknowns if rank == 0 else 0)
+
+    def set_state(self, q: Floats) -> None:
+        """See Term."""
+        self._q = q
+
+    def add_residual(self, residual: Floats) -> None:
+        """See Term."""
+        mine = self._mine
+        residual[mine] += self.viscosity[mine] * (self._q[mine] - self.start[mine])
+
+    def tangent_pattern(self) -> tuple[Ints, Ints]:
+        """See Term."""
+        return self._mine, self._mine
+
+    def tangent_values(self) -> Floats:
+        """See Term."""
+        return self.viscosity[self._mine]
+
+    def work(self, q: Floats) -> float:
+        """Work that the stabilisation takes on the way from the increment's start to q, N mm = mJ."""
+        return float(self.viscosity @ (q - self.start) ** 2)
