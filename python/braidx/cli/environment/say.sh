@@ -21,7 +21,7 @@ step() {
     "$@" >"$log" 2>&1 </dev/null &
     job=$!
     set +m
-    trap 'kill -- "-$job" 2>/dev/null; wait "$job"; echo >&2; note "interrupted"; exit 130' INT TERM HUP
+    trap 'kill -- "-$job" 2>/dev/null; wait "$job" || true; echo >&2; note "interrupted"; exit 130' INT TERM HUP
     while kill -0 "$job" 2>/dev/null; do
         sleep 0.5
         if [ -n "${growing:-}" ] && [ $((SECONDS % 5)) = 0 ]; then size=$(size_of "$growing"); fi
