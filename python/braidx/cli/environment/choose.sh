@@ -58,7 +58,7 @@ choose() {
 
 prepare() {
     if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
-        step "apt-get update" apt-get update || stop "apt-get update failed: is there a network connection?"
+        step "apt-get update" apt-get update || note "going on with the package lists at hand"
         if [ -z "${BRAIDX_PRIVATE_ROOT:-}" ] && apt_has_dolfinx; then
             local packages
             mapfile -t packages <"$here/debian.txt"
@@ -70,13 +70,18 @@ prepare() {
         command -v mmdebstrap >/dev/null ||
             step "installing mmdebstrap" apt_install mmdebstrap debian-archive-keyring || true
     fi
-    if ! command -v mmdebstrap >/dev/null || ! command -v unshare >/dev/null; then
-        stop "DOLFINx >= 0.9 not found, and no way to install it here without root and apt. Use one of
-    conda:   conda env create -f '$checkout/environment.yml' && conda activate braidx
-    Docker:  docker build -t braidx '$checkout' && docker run --rm -it -v \"\$PWD:/data\" -w /data braidx demo
-    apt:     sudo apt install mmdebstrap uidmap      (then start braidx again, without sudo)
-  or name a Python that has it: BRAIDX_PYTHON=/path/to/python3"
-    fi
+    command -v mmdebstrap >/dev/null && "${namespace[@]}" true 2>/dev/null || stop_with_advice
     make_private_root
     use_private_root
+}
+
+stop_with_advice() {
+    local apt="sudo apt install mmdebstrap uidmap   (then ./braidx again, without sudo)"
+    if apt_has_dolfinx; then apt="sudo apt install --no-install-recommends \$(cat '$here/debian.txt')"; fi
+    stop "DOLFINx >= 0.9 not found, and it cannot be installed here: that takes root and apt, or mmdebstrap
+  and the right to mount. Use one of
+    apt:     $apt
+    conda:   conda env create -f '$checkout/environment.yml' && conda activate braidx
+    Docker:  docker build -t braidx '$checkout' && docker run --rm -it -v \"\$PWD:/data\" -w /data braidx demo
+  or name a Python that has it: BRAIDX_PYTHON=/path/to/python3"
 }

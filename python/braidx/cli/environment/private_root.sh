@@ -4,12 +4,14 @@
 private_root=$cache/debian13
 private_root_list=$private_root/etc/braidx-packages # the list it was made from: its stamp
 
+# A mount namespace of its own for a command; without root also a user namespace, to be allowed to mount.
+namespace=(unshare --mount --)
+[ "$(id -u)" = 0 ] || namespace=(unshare --user --map-root-user --mount --)
+
 private_root_is_complete() { cmp -s "$here/debian.txt" "$private_root_list"; }
 
 use_private_root() {
-    local user=()
-    [ "$(id -u)" = 0 ] || user=(--user --map-root-user)
-    inside=(unshare "${user[@]}" --mount -- bash "$here/enter.sh" "$private_root")
+    inside=("${namespace[@]}" bash "$here/enter.sh" "$private_root")
     python=/usr/bin/python3
     environment=$private_root
 }
@@ -69,7 +71,7 @@ debootstrap_into() {
     local target=$1
     shift
     if [ "$(id -u)" = 0 ]; then
-        unshare --mount mmdebstrap "$@" trixie "$target" $(mirror)
+        "${namespace[@]}" mmdebstrap "$@" trixie "$target" $(mirror)
     else
         mkdir -p "$target"
         TMPDIR=$cache mmdebstrap --mode=unshare "$@" trixie - $(mirror) | tar -x --exclude='./dev/*' -C "$target"

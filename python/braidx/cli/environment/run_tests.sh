@@ -1,7 +1,7 @@
 # ./braidx test: C++ tests through ctest, then Python tests through pytest; fails if either does.
 
 run_tests() {
-    local folders=() options=() argument code=0
+    local folders=() options=() argument cpp='not run' py code=0
     for argument in "$@"; do
         case $argument in
         --verification | --stability | --benchmark) folders+=("tests/${argument#--}") ;;
@@ -12,7 +12,7 @@ run_tests() {
     cd "$checkout"
     if [ ${#folders[@]} = 0 ]; then
         build all
-        "${inside[@]}" ctest --test-dir "$build" --output-on-failure --progress || code=$?
+        "${inside[@]}" ctest --test-dir "$build" --output-on-failure --progress && cpp=passed || { code=$? cpp=FAILED; }
         folders=(tests/python tests/verification)
     else
         build braidx_engine
@@ -21,6 +21,7 @@ run_tests() {
     for folder in "${folders[@]}"; do
         if [ -n "$folder" ] && [ -d "$folder" ]; then existing+=("$folder"); fi
     done
-    (launch "$python" -m pytest "${existing[@]}" "${options[@]}") || code=$?
+    (launch "$python" -m pytest "${existing[@]}" "${options[@]}") && py=passed || { code=$? py=FAILED; }
+    note "ctest $cpp, pytest $py"
     return "$code"
 }
