@@ -189,6 +189,7 @@ NB_MODULE(braidx_engine, m) {
     nb::class_<CrossingOptions>(m, "CrossingOptions")
         .def(nb::init<>())
         .def_rw("separation", &CrossingOptions::separation)
+        .def_rw("by_point", &CrossingOptions::by_point)
         .def_rw("lateral", &CrossingOptions::lateral);
     nb::class_<PairingOptions>(m, "PairingOptions")
         .def(nb::init<>())
@@ -197,6 +198,7 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("spacing", &PairingOptions::spacing)
         .def_rw("point_tolerance", &PairingOptions::point_tolerance)
         .def_rw("stiffness", &PairingOptions::stiffness)
+        .def_rw("keep_side", &PairingOptions::keep_side)
         .def_rw("part", &PairingOptions::part)
         .def_rw("num_parts", &PairingOptions::num_parts);
     nb::class_<ContactLaws>(m, "ContactLaws")
@@ -246,7 +248,8 @@ NB_MODULE(braidx_engine, m) {
     m.def("commit",
           [](const std::vector<Tube>& tubes, ContactElements& elements, const In<double>& q,
              const In<double>& q_start, const ContactLaws& laws) {
-              commit(tubes, elements, view(q), view(q_start), laws);
+              const auto done = commit(tubes, elements, view(q), view(q_start), laws);
+              return nb::make_tuple(done.work, done.penetration);
           },
           "tubes"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a);
     m.def("adapt_stiffness",

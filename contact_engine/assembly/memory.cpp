@@ -5,10 +5,12 @@
 
 namespace braidx {
 
-void commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q, Unknowns q_start,
+Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q, Unknowns q_start,
             const ContactLaws& laws) {
+    Committed out;
     for (auto& element : elements) {
         const Reaction r = reaction(tubes, element, q, q_start, laws);
+        out.penetration = std::max(out.penetration, -r.system.gap);
         if (!r.acts()) {
             element.slip.setZero();
             continue;
@@ -16,9 +18,12 @@ void commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns 
         if (r.friction.coefficient <= 0)
             continue;
         const Vec3 remembered = r.friction.remembered(r.slip);
-        element.work += r.friction_force.dot(r.slip - remembered);
+        const double work = r.friction_force.dot(r.slip - remembered);
+        element.work += work;
+        out.work += work;
         element.slip = remembered;
     }
+    return out;
 }
 
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q, double tolerance,

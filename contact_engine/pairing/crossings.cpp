@@ -83,8 +83,11 @@ std::vector<Station> stations_along(const std::vector<Tube>& tubes, Unknowns q, 
 
 std::vector<OrientedStation> crossing_stations(const std::vector<Tube>& tubes, Unknowns q, const Crossing& crossing,
                                                double spacing, const CrossingOptions& options) {
+    const auto point = point_where_they_cross(tubes, q, crossing, spacing);
+    if (options.by_point && !point)
+        return {};
     auto stations = stations_along(tubes, q, crossing, spacing);
-    if (const auto point = point_where_they_cross(tubes, q, crossing, spacing))
+    if (point)
         stations.push_back(*point);
     const auto pair = seen_along_normal(tubes, q, crossing, middle_a(crossing), middle_b(crossing));
     const double touch = pair.a.radius + pair.b.radius;
@@ -95,7 +98,8 @@ std::vector<OrientedStation> crossing_stations(const std::vector<Tube>& tubes, U
         if (oriented.allowance > touch * (1 - std::sqrt(1 - options.lateral * options.lateral)))
             continue;
         out.push_back(oriented);
-        separated &= pair.across(s).dot(oriented.normal) > options.separation * (touch - oriented.allowance);
+        if (!options.by_point || s.index == point_station)
+            separated &= pair.across(s).dot(oriented.normal) > options.separation * (touch - oriented.allowance);
     }
     if (separated)
         out.clear();

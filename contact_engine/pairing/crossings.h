@@ -33,6 +33,7 @@ struct Crossing {
 struct CrossingOptions {
     double separation = 0.7; ///< separated where the distance along the normal exceeds this
     double lateral = 0.9;    ///< a station acts where the centre lines, seen along the normal, are nearer than this
+    bool by_point = false;   ///< judge separation only where the centre lines cross, seen along the normal
 };
 
 /// A station of a crossing that is not separated yet.

@@ -35,8 +35,8 @@ const ContactElement* History::predecessor(const ContactElement& element, double
     return best;
 }
 
-void inherit(ContactElement& element, const ContactElement& predecessor) {
-    if (element.crossing < 0 && !against_rigid(element) && element.normal.dot(predecessor.normal) < 0)
+void inherit(ContactElement& element, const ContactElement& predecessor, bool keep_side) {
+    if (keep_side && element.crossing < 0 && !against_rigid(element) && element.normal.dot(predecessor.normal) < 0)
         element.normal = -element.normal;
     const double length = predecessor.slip.norm();
     if (length > 0) {

@@ -20,7 +20,8 @@ class History {
     std::unordered_multimap<std::int64_t, std::size_t> by_tubes_;
 };
 
-/// Hands on memory: slip (turned with the normal), work and penalty; the normal keeps its side.
-void inherit(ContactElement& element, const ContactElement& predecessor);
+/// Hands on memory: slip (turned with the normal), work and penalty; and, if asked, the side: a normal found
+/// from geometry never flips.
+void inherit(ContactElement& element, const ContactElement& predecessor, bool keep_side);
 
 } // namespace braidx

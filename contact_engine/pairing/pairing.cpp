@@ -75,7 +75,7 @@ class Builder {
     void add(ContactElement e) {
         e.zone = num_zones_;
         if (const auto* old = history_.predecessor(e, 4 * options_.spacing))
-            inherit(e, *old);
+            inherit(e, *old, options_.keep_side);
         face(tubes_[e.tube_a], q_, e.s_a, e.normal, e.xi_a);
         if (!against_rigid(e)) {
             face(tubes_[e.tube_b], q_, e.s_b, -e.normal, e.xi_b);

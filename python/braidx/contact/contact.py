@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import braidx_engine as engine
 import numpy as np
+from mpi4py import MPI
 
 from ..system.terms import Floats, Ints
 
@@ -73,14 +74,39 @@ class Contact:
         self.elements = elements
         self._lay_out()
 
-    def commit(self, q: Floats) -> None:
-        """Contact elements remember the increment that ends at q."""
-        engine.commit(self.tubes, self.elements, q, self.start, self.laws)
+    def commit(self, q: Floats) -> tuple[float, float, int]:
+        """Contact elements remember the increment that ends at q.
+
+        Returns:
+            Of all processes: work dissipated in the increment (mJ), deepest penetration (mm), number of
+            contact elements.
+        """
+        work, penetration = engine.commit(self.tubes, self.elements, q, self.start, self.laws)
+        return (
+            self.comm.allreduce(work),
+            self.comm.allreduce(penetration, op=MPI.MAX),
+            self.comm.allreduce(len(self.elements)),
+        )
 
     def adapt_stiffness(self, q: Floats, tolerance: float, growth: float = 3.0) -> int:
         """Raises penalties where penetration exceeds `tolerance` (mm); number of zones changed, all processes."""
         changed = engine.adapt_stiffness(self.tubes, self.elements, q, tolerance, growth)
         return self.comm.allreduce(changed)
+
+    def arrays(self) -> dict[str, np.ndarray]:
+        """Contact elements of all processes with their memory, the same on each."""
+        parts = self.comm.allgather(self.elements.arrays())
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+    def worst_pairs(self, count: int = 3) -> list[tuple[int, int]]:
+        """Pairs of tubes with the deepest penetrations at the last state, deepest first."""
+        results = self.results(self._q)
+        mine = [
+            (float(results["gap"][i]), int(results["tubes"][i, 0]), int(results["tubes"][i, 1]))
+            for i in np.argsort(results["gap"])[: 20 * count]
+        ]
+        ranked = sorted(sum(self.comm.allgather(mine), []))
+        return list(dict.fromkeys((a, b) for gap, a, b in ranked if gap < 0))[:count]
 
     def results(self, q: Floats) -> dict[str, np.ndarray]:
         """Results per contact element of this process: gap, normal_force, friction_force, position, normal..."""

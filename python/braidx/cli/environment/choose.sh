@@ -62,7 +62,7 @@ prepare() {
         if [ -z "${BRAIDX_PRIVATE_ROOT:-}" ] && apt_has_dolfinx; then
             local packages
             mapfile -t packages <"$here/debian.txt"
-            step "installing DOLFINx and its tools with apt (about 3.5 GB)" apt_install "${packages[@]}" ||
+            step "installing DOLFINx and its tools with apt (about 2.5 GB)" apt_install "${packages[@]}" ||
                 stop "apt-get install failed"
             use_host_python /usr/bin/python3 || stop "/usr/bin/python3 still lacks: $(/usr/bin/python3 "$here/probe.py")"
             return

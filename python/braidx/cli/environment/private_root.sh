@@ -54,13 +54,13 @@ make_private_root() {
     growing=$partial
     mapfile -t packages <"$here/debian.txt"
     rm -rf --one-file-system "$partial" "$private_root"
-    note "DOLFINx >= 0.9 is not here: making a private Debian 13 with it in $private_root (once; 5 minutes, 4 GB)"
+    note "DOLFINx >= 0.9 is not here: making a private Debian 13 with it in $private_root (once; about 5 minutes and 2.5 GB)"
     mapfile -t options < <(apt_settings)
     options+=(--variant=minbase --include="$(IFS=,; echo "${packages[*]}")"
         --dpkgopt=force-unsafe-io --dpkgopt='path-exclude=/usr/share/man/*' --dpkgopt='path-exclude=/usr/share/doc/*')
     step "downloading and unpacking" debootstrap_into "$partial" "${options[@]}" ||
         stop "the private Debian 13 could not be made (log above). Remedies: a network connection to
-    deb.debian.org (http_proxy is honoured), 5 GB free in $cache, or conda / Docker as README.md says"
+    deb.debian.org (http_proxy is honoured), 4 GB free in $cache, or conda / Docker as README.md says"
     cp "$here/debian.txt" "$partial/etc/braidx-packages"
     mv "$partial" "$private_root"
     note "environment ready: $(size_of "$private_root"), $SECONDS s"

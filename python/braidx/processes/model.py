@@ -1,0 +1,200 @@
+"""The rope as a system to solve: one body, its contact, its ends, its Newton iteration."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import braidx_engine as engine
+import numpy as np
+from mpi4py import MPI
+
+from ..bodies import BeamBody, BeamSection, CableBody, CurveBody, YarnMaterial
+from ..contact.contact import Contact, TubeLayout
+from ..geometry import Crossings, Rope
+from ..scene import Scene
+from ..solver.increment import Incrementer
+from ..solver.newton import Newton, NewtonOptions
+from ..system.constraints import Floats
+from ..system.global_system import GlobalSystem
+from ..system.terms import BodyTerm, LoadTerm, ProximalTerm
+from .ends import Ends
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+class RopeModel:
+    """A rope of one kind of body, ready to be solved increment by increment.
+
+    Attributes:
+        body: The yarns.
+        contact: Contact between them.
+        ends: The two end sections.
+        system: Global system of body, contact, loads and stabilisation.
+        incrementer: Solves one increment.
+    """
+
+    def __init__(self, comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> None:
+        self.comm, self.scene, self.rope, self.body = comm, scene, rope, body
+        size = body.num_unknowns
+        self.contact = make_contact(comm, scene, rope, body)
+        self.proximal = ProximalTerm(size, comm.rank)
+        self.loads = LoadTerm(size)
+        self.directors = np.tile(np.arange(body.block) >= 3, body.num_nodes)
+        self.ends = Ends(body, scene.ends)
+        terms = [BodyTerm(body, 0), self.contact, self.proximal]
+        if comm.rank == 0:
+            terms.append(self.loads)
+        self.system = GlobalSystem(comm, terms, *self.ends.held(0.0))
+        solver = scene.solver
+        options = NewtonOptions(
+            tolerance=solver.tolerance,
+            max_iterations=solver.max_iterations,
+            max_step=rope.radius.min(),
+            max_turn=solver.director_cap,
+            symmetric=solver.tangent == "symmetric",
+            petsc=solver.petsc,
+        )
+        self.newton = Newton(self.system, options, self.directors)
+        self.incrementer = Incrementer(self.newton, self.contact, self.proximal)
+
+    @property
+    def start(self) -> Floats:
+        """Unknowns of the reference state, shape (num_unknowns,)."""
+        return self.body.rest.ravel().copy()
+
+    def set_viscosity(self, positions: float, directors: float = 0.0) -> None:
+        """Stabilisation: N/mm per node on positions, N mm per radian on directors."""
+        self.proximal.viscosity[:] = np.where(self.directors, directors, positions)
+
+    def positions(self, q: Floats) -> Floats:
+        """Node positions, shape (num_nodes, 3), mm."""
+        return q.reshape(-1, self.body.block)[:, :3]
+
+    def centre_lines(self, q: Floats) -> tuple[Floats, ...]:
+        """Node positions of each yarn, shape (num_nodes_i, 3), mm."""
+        return tuple(np.split(self.positions(q), self.body.curves[1:-1]))
+
+    def tension(self, q: Floats) -> Floats:
+        """Axial force of all elements, shape (num_elements,), N."""
+        return self.body.tension(q.reshape(-1, self.body.block))
+
+    def internal_energy(self, q: Floats) -> float:
+        """Elastic energy of the yarns of all processes, mJ."""
+        self.body.set_state(q.reshape(-1, self.body.block))
+        return float(self.comm.allreduce(self.body.energy()))
+
+    def axial_force(self, q: Floats) -> float:
+        """Force that the far end section is pulled with, N, at the state of the last solve."""
+        self.system.set_state(q)
+        return float(self.system.residual()[self.ends.last_axial].sum())
+
+
+def cable_body(
+    comm: MPI.Comm, scene: Scene, lines: Sequence[Floats], axial_stiffness: float, tension
+) -> CableBody:
+    """Yarns as cables along the given centre lines."""
+    return CableBody(
+        comm,
+        lines,
+        axial_stiffness=axial_stiffness,
+        tension=tension,
+        degree=scene.yarn.degree,
+        area=scene.yarn.section_area,
+    )
+
+
+def beam_body(comm: MPI.Comm, scene: Scene, lines: Sequence[Floats]) -> BeamBody:
+    """Yarns as beams along the given centre lines, stress-free as placed (or straight)."""
+    yarn = scene.yarn
+    circle = BeamSection.round(yarn.radius)
+    inertia_1 = yarn.inertia_1 or circle.inertia_1
+    inertia_2 = yarn.inertia_2 or circle.inertia_2
+    section = BeamSection(
+        yarn.section_area,
+        inertia_1,
+        inertia_2,
+        yarn.torsion_constant or inertia_1 + inertia_2,
+        yarn.section_area,
+    )
+    material = YarnMaterial(
+        yarn.axial_stiffness / yarn.section_area,
+        yarn.transverse_modulus,
+        yarn.shear_modulus,
+        yarn.poisson_axial,
+        yarn.poisson_transverse,
+    )
+    return BeamBody(
+        comm,
+        lines,
+        section=section,
+        material=material,
+        directors=[periodic_directors(line) for line in lines],
+        degree=yarn.degree,
+        bundle_factor=yarn.bundle_factor,
+        torsion_factor=yarn.torsion_factor,
+        natural_state=yarn.natural_state,
+    )
+
+
+def periodic_directors(line: Floats) -> Floats:
+    """Directors that are alike where tangents are: the x axis made normal to the yarn, and the third.
+
+    Unlike rotation-minimising frames they agree at the two ends of a periodic yarn.
+    """
+    tangent = np.gradient(line, axis=0)
+    tangent[0] = tangent[-1] = (line[1] - line[0] + line[-1] - line[-2]) / 2
+    tangent /= np.linalg.norm(tangent, axis=1)[:, None]
+    first = np.array([1.0, 0.0, 0.0]) - tangent[:, :1] * tangent
+    first /= np.linalg.norm(first, axis=1)[:, None]
+    return np.stack([first, np.cross(tangent, first)], axis=1)
+
+
+def make_contact(comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> Contact:
+    """Contact of all yarns, with laws and spacing from the scene."""
+    curves, options = body.layout.curves, scene.contact
+    num_elements = np.diff(body.layout.curve_elements)
+    lengths = np.add.reduceat(body.rest_lengths(), body.layout.curve_elements[:-1])
+    ones = np.ones(len(num_elements))
+    layout = TubeLayout(
+        first_unknown=curves[:-1] * body.block,
+        num_elements=num_elements,
+        degree=ones * body.layout.degree,
+        block=ones * body.block,
+        radius=rope.radius,
+        element_length=lengths / num_elements,
+        body=0 * ones,
+    )
+    crossings = engine_crossings(rope, lengths)
+    contact = Contact(comm, layout, crossings, smooth=True, symmetric=scene.solver.tangent == "symmetric")
+    radius = rope.radius.min()
+    contact.pairing.spacing = options.station_spacing * float(layout.element_length.min()) / body.layout.degree
+    contact.pairing.search.margin = options.search_distance * radius
+    contact.pairing.point_tolerance = options.penetration_tolerance * radius
+    contact.laws.regularisation = options.regularisation * radius
+    contact.laws.reversible_slip = options.reversible_slip * radius
+    contact.laws.friction = [options.friction]
+    return contact
+
+
+def engine_crossings(rope: Rope, lengths: Floats):
+    """Crossings of all yarns of crossing strands, with windows in rest arc length (mm).
+
+    A window reaches a tenth of a pitch to either side: crossings of one pair are half a pitch apart.
+    """
+    yarns = [np.flatnonzero(rope.strand == s) for s in range(rope.num_strands)]
+    crossings: Crossings = rope.crossings
+    tubes, windows, order = [], [], []
+    for a, b, z, sign in zip(crossings.strand_a, crossings.strand_b, crossings.z, crossings.order, strict=True):
+        window = np.clip(np.array([z - rope.pitch / 10, z + rope.pitch / 10]) / rope.length, 0.0, 1.0)
+        for yarn_a in yarns[a]:
+            for yarn_b in yarns[b]:
+                tubes.append((yarn_a, yarn_b))
+                windows.append(np.concatenate([window * lengths[yarn_a], window * lengths[yarn_b]]))
+                order.append(sign)
+    return engine.make_crossings(
+        tubes=np.array(tubes, np.int32).ravel(),
+        windows=np.array(windows, float).ravel(),
+        order=np.array(order, np.int32),
+        axis=np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
+    )

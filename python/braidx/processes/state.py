@@ -1,0 +1,93 @@
+"""State of a run between increments: what a checkpoint holds, and what a step starts from."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..output.summary import PhaseCost
+from ..system.constraints import Floats
+
+FILE = "checkpoint.npz"
+ARRAYS = ("q", "reference", "rest_tension", "rate")
+
+
+@dataclass(frozen=True)
+class State:
+    """State of a run after an increment.
+
+    Attributes:
+        q: Unknowns, shape (num_unknowns,); block of the model in use.
+        model: "forming" (cables with forming's own stiffness), "cable" or "beam".
+        reference: Unknowns of the reference state that strains are measured from, shape as q.
+        rest_tension: Tension of the elements in the reference state, shape (num_elements,), N (cables).
+        contacts: Contact elements of all processes with their memory, as arrays.
+        step: Number of the current step; `progress`: what the step has reached, its own numbers.
+        increment: Increments so far, all steps.
+        results: Results collected so far.
+        costs: Cost per phase so far.
+        rate: Change of q per unit of rope strain in the last increment, shape as q; zero at first.
+        stabilisation_work: Work the stabilisation has taken since the reference state was set, mJ.
+        friction_work: Work dissipated by friction since the start of the run, mJ.
+    """
+
+    q: Floats
+    model: str
+    reference: Floats
+    rest_tension: Floats
+    rate: Floats
+    contacts: dict[str, np.ndarray] = field(default_factory=dict)
+    step: int = 0
+    progress: dict[str, float] = field(default_factory=dict)
+    increment: int = 0
+    results: dict[str, Any] = field(default_factory=dict)
+    costs: dict[str, PhaseCost] = field(default_factory=dict)
+    stabilisation_work: float = 0.0
+    friction_work: float = 0.0
+
+    def next_step(self) -> State:
+        """The same state at the beginning of the step that follows."""
+        kept = {name: self.progress[name] for name in ("strain",) if name in self.progress}
+        return replace(self, step=self.step + 1, progress=kept)
+
+
+def save(state: State, folder: Path) -> None:
+    """Writes the checkpoint; an interruption leaves the one before whole."""
+    arrays = {name: getattr(state, name) for name in ARRAYS}
+    arrays |= {f"contacts_{name}": value for name, value in state.contacts.items()}
+    numbers = {
+        "model": state.model,
+        "step": state.step,
+        "progress": state.progress,
+        "increment": state.increment,
+        "results": state.results,
+        "costs": {name: asdict(cost) for name, cost in state.costs.items()},
+        "stabilisation_work": state.stabilisation_work,
+        "friction_work": state.friction_work,
+    }
+    part = folder / (FILE + ".part")
+    with part.open("wb") as file:
+        np.savez(file, numbers=np.array(json.dumps(numbers)), **arrays)
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(part, folder / FILE)
+
+
+def load(folder: Path) -> State | None:
+    """The checkpoint of a folder, None if there is none yet."""
+    path = folder / FILE
+    if not path.exists():
+        return None
+    with np.load(path) as data:
+        numbers = json.loads(str(data["numbers"]))
+        contacts = {
+            name.removeprefix("contacts_"): data[name] for name in data if name.startswith("contacts_")
+        }
+        arrays = {name: data[name] for name in ARRAYS}
+    numbers["costs"] = {name: PhaseCost(**cost) for name, cost in numbers["costs"].items()}
+    return State(contacts=contacts, **arrays, **numbers)
