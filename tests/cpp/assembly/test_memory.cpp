@@ -1,0 +1,135 @@
+#include "assembly/memory.h"
+#include "support/contact.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace braidx;
+using namespace braidx::test;
+
+namespace {
+
+constexpr double mu = 0.2, reversible = 0.01;
+
+/// Two crossing cables of one element, pressed by a constant penetration along x.
+Contact pressed_pair() {
+    Contact out{{}, {}, {}, laws_with(mu)};
+    out.laws.reversible_slip = reversible;
+    out.rods.add_straight(cable, 1, 1.0, {0, 0, -2}, {0, 0, 2});
+    out.rods.add_straight(cable, 1, 1.0, {1.98, -2, 0}, {1.98, 2, 0});
+    ContactElement e{};
+    e.tube_b = 1;
+    e.body_b = 1;
+    e.s_a = e.s_b = 0.5;
+    e.normal = Vec3::UnitX();
+    e.weight = 1;
+    e.stiffness = 500;
+    out.elements = {e};
+    out.start = out.rods.q;
+    return out;
+}
+
+double normal_force(const Contact& c) {
+    return reaction(c.rods.tubes, c.elements[0], c.rods.q, c.start, c.laws).normal_force;
+}
+
+/// One increment: b moves by `step` against a. Returns the work put in by the trapezoidal rule, N
+/// mm.
+double slide(Contact& c, const Vec3& step) {
+    const auto force = [&] {
+        return reaction(c.rods.tubes, c.elements[0], c.rods.q, c.start, c.laws).friction_force;
+    };
+    c.start = c.rods.q;
+    const Vec3 before = force();
+    for (std::size_t i = 6; i < 12; i += 3)
+        Eigen::Map<Vec3>(c.rods.q.data() + i) += step;
+    const Vec3 after = force();
+    commit(c.rods.tubes, c.elements, c.rods.q, c.start, c.laws);
+    return 0.5 * (before + after).dot(step);
+}
+
+} // namespace
+
+TEST_CASE("C2: a friction cycle dissipates 4 mu N (d - g_rev)", "[memory]") {
+    for (const double amplitude : {0.012, 0.05, 0.3})
+        for (const int steps : {1, 7, 400}) { // increments per amplitude: the result is the same
+            Contact contact = pressed_pair();
+            const double force = normal_force(contact);
+            const Vec3 along = Vec3(0, 0.6, 0.8) * (amplitude / steps);
+            double put_in = 0;
+            for (int i = 0; i < steps; ++i)
+                slide(contact, along);
+            const double before = contact.elements[0].work;
+            CHECK(std::abs(before - mu * force * (amplitude - reversible)) < 1e-10);
+            for (int i = 0; i < 4 * steps; ++i)
+                put_in += slide(contact, i < 2 * steps ? Vec3(-along) : along);
+            const double expected = 4 * mu * force * (amplitude - reversible);
+            INFO("amplitude " << amplitude << ", " << steps << " increments");
+            CHECK(std::abs(contact.elements[0].work - before - expected) < 1e-10);
+            if (steps == 400) // and it is the work that went in
+                CHECK(std::abs(put_in - expected) < 0.01 * expected);
+        }
+}
+
+TEST_CASE("cycles within the reversible slip dissipate nothing", "[memory]") {
+    Contact contact = pressed_pair();
+    double put_in = 0;
+    for (int i = 0; i < 40; ++i)
+        put_in += slide(contact, {0, 0, (i % 8 < 4 ? 0.9 : -0.9) * reversible / 4});
+    CHECK(contact.elements[0].work == 0);
+    CHECK(std::abs(put_in) < 1e-12);
+}
+
+TEST_CASE("commit reports the work of the increment and the deepest penetration", "[memory]") {
+    Contact contact = pressed_pair();
+    contact.elements.push_back(contact.elements[0]);
+    contact.elements[1].allowance = -0.01;
+    contact.start[6 + 2] -= 0.2;
+    contact.start[9 + 2] -= 0.2;
+    const auto done =
+        commit(contact.rods.tubes, contact.elements, contact.rods.q, contact.start, contact.laws);
+    CHECK(done.work > 0);
+    CHECK(std::abs(done.work - contact.elements[0].work - contact.elements[1].work) < 1e-14);
+    CHECK(std::abs(done.penetration - 0.03) < 1e-12);
+}
+
+TEST_CASE("memory holds the reversible part of the slip, in its direction", "[memory]") {
+    Contact contact = pressed_pair();
+    slide(contact, {0, 0.03, 0.04});
+    CHECK((contact.elements[0].slip - reversible * Vec3(0, 0.6, 0.8)).norm() < 1e-15);
+    slide(contact, {0, -0.001, 0});
+    CHECK((contact.elements[0].slip - Vec3(0, 0.005, 0.008)).norm() < 1e-15);
+}
+
+TEST_CASE("what is out of touch forgets its slip and keeps its work", "[memory]") {
+    Contact contact = pressed_pair();
+    slide(contact, {0, 0.05, 0});
+    const double work = contact.elements[0].work;
+    CHECK(work > 0);
+    slide(contact, {0.5, 0, 0});
+    CHECK(contact.elements[0].slip.norm() == 0);
+    CHECK(contact.elements[0].work == work);
+}
+
+TEST_CASE("penalties grow by zone until penetrations are tolerable", "[memory]") {
+    Contact contact = pressed_pair(); // 0.02 mm deep
+    contact.elements.resize(4, contact.elements[0]);
+    for (int i = 0; i < 4; ++i)
+        contact.elements[static_cast<std::size_t>(i)].zone = i / 2;
+    contact.elements[1].allowance = 0.015; // same zone as 0, not as deep
+    contact.elements[2].allowance = 0.018; // zone 1: within tolerance
+    contact.elements[3].allowance = 0.5;
+    const auto adapt = [&](double tolerance, double growth) {
+        return adapt_stiffness(contact.rods.tubes, contact.elements, contact.rods.q, tolerance,
+                               growth);
+    };
+    CHECK(adapt(0.03, 3) == 0);
+    CHECK(contact.elements[0].stiffness == 500);
+    CHECK(adapt(0.015, 10) == 1);
+    CHECK(std::abs(contact.elements[0].stiffness - 500 * 1.2 * 0.02 / 0.015) < 1e-9);
+    CHECK(contact.elements[1].stiffness == contact.elements[0].stiffness);
+    CHECK(contact.elements[2].stiffness == 500);
+    CHECK(contact.elements[3].stiffness == 500);
+    const double before = contact.elements[0].stiffness;
+    CHECK(adapt(0.001, 3) == 2); // far too deep: by `growth` at most
+    CHECK(std::abs(contact.elements[0].stiffness - 3 * before) < 1e-9);
+}

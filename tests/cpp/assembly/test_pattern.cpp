@@ -1,0 +1,79 @@
+#include "support/contact.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <set>
+
+using namespace braidx;
+using namespace braidx::test;
+
+namespace {
+
+using Block = std::pair<std::int64_t, std::int64_t>;
+
+/// Contact elements of a small tangle: several kinds of tubes, walls, one tube against itself.
+Contact mixed_contacts() {
+    auto out = random_contact(smooth_beam, quadratic_cable, 0.2, 0.1, 3);
+    out.rods.add_straight(smooth_cable, 6, 1.0, {0, 0, 0}, {0, 6, 0});
+    const auto between = out.elements;
+    for (const auto& e : between) {
+        auto with_third = e, with_wall = e, with_itself = e;
+        with_third.tube_b = 2;
+        with_wall.tube_b = -1;
+        with_itself.tube_a = with_itself.tube_b = 2; // sections that share nodes
+        with_itself.s_b = with_itself.s_a + 1;
+        for (const auto& more : {with_third, with_wall, with_itself})
+            out.elements.push_back(more);
+    }
+    out.start = out.rods.q;
+    return out;
+}
+
+} // namespace
+
+TEST_CASE("blocks of the pattern are unique, sorted and complete", "[pattern]") {
+    const auto contact = mixed_contacts();
+    const auto pattern = make_pattern(contact.rods.tubes, contact.elements);
+    std::vector<Block> found;
+    for (std::size_t i = 0; i < pattern.row.size(); ++i)
+        found.emplace_back(pattern.row[i], pattern.col[i]);
+    std::set<Block> expected;
+    for (const auto& e : contact.elements) {
+        const auto system = local_system(contact.rods.tubes, e, contact.rods.q);
+        for (int i = 0; i < system.count; ++i)
+            for (int j = 0; j < system.count; ++j)
+                expected.emplace(system.unknown[i], system.unknown[j]);
+    }
+    CHECK(found == std::vector<Block>(expected.begin(), expected.end()));
+}
+
+TEST_CASE("each contact element adds to the blocks of its own unknowns", "[pattern]") {
+    const auto contact = mixed_contacts();
+    const auto pattern = make_pattern(contact.rods.tubes, contact.elements);
+    REQUIRE(pattern.first_slot.size() == contact.elements.size());
+    for (std::size_t e = 0; e < contact.elements.size(); ++e) {
+        const auto system = local_system(contact.rods.tubes, contact.elements[e], contact.rods.q);
+        auto slot = static_cast<std::size_t>(pattern.first_slot[e]);
+        for (int i = 0; i < system.count; ++i)
+            for (int j = 0; j < system.count; ++j) {
+                const auto block = static_cast<std::size_t>(pattern.slot.at(slot++));
+                CHECK(pattern.row[block] == system.unknown[i]);
+                CHECK(pattern.col[block] == system.unknown[j]);
+            }
+    }
+}
+
+TEST_CASE("contact elements on the same finite elements share a group", "[pattern]") {
+    auto contact = random_contact(beam, beam, 0, 0, 5);
+    contact.elements.resize(1);
+    const auto one = make_pattern(contact.rods.tubes, contact.elements);
+    contact.elements.assign(20, contact.elements[0]);
+    const auto many = make_pattern(contact.rods.tubes, contact.elements);
+    CHECK(many.slot == one.slot);
+    CHECK(many.row == one.row);
+}
+
+TEST_CASE("no contact, no pattern", "[pattern]") {
+    const auto pattern = make_pattern({}, {});
+    CHECK(pattern.row.empty());
+    CHECK(pattern.slot.empty());
+}

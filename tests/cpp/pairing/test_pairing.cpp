@@ -1,0 +1,160 @@
+#include "pairing/pairing.h"
+#include "support/rods.h"
+
+#include <Eigen/Geometry>
+#include <catch2/catch_test_macros.hpp>
+#include <map>
+#include <set>
+#include <tuple>
+
+using namespace braidx;
+using namespace braidx::test;
+
+namespace {
+
+/// Three rods side by side and one across them, all just in touch.
+Rods raft(const Kind& kind) {
+    Rods rods;
+    for (int i = 0; i < 3; ++i)
+        rods.add_straight(kind, 8, 1.0, {1.98 * i, 0, 0}, {1.98 * i, 0, 16});
+    rods.add_straight(kind, 9, 1.0, {-4, 1.98, 6}, {8, 1.98, 9});
+    return rods;
+}
+
+auto identity(const ContactElement& e) {
+    return std::tuple(e.tube_a, e.tube_b, e.station, e.s_a, e.s_b);
+}
+
+} // namespace
+
+TEST_CASE("normals are unit, from a to b, through the centres", "[pairing]") {
+    for (const auto& kind : all_kinds) {
+        INFO(kind.name);
+        const Rods rods = raft(kind);
+        const auto elements = make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, {});
+        std::set<std::pair<int, int>> met;
+        for (const auto& e : elements) {
+            const Vec3 d = position(rods.tubes[e.tube_b], rods.q, e.s_b) -
+                           position(rods.tubes[e.tube_a], rods.q, e.s_a);
+            CHECK((e.normal - d.normalized()).norm() < 1e-12);
+            CHECK(e.body_b == rods.tubes[e.tube_b].body);
+            CHECK(e.weight > 0);
+            CHECK(e.slip.norm() == 0);
+            met.emplace(e.tube_a, e.tube_b);
+        }
+        CHECK(met == std::set<std::pair<int, int>>{{0, 1}, {1, 2}, {0, 3}, {1, 3}, {2, 3}});
+    }
+}
+
+TEST_CASE("surface particles of beams face each other", "[pairing]") {
+    const Rods rods = raft(beam);
+    for (const auto& e : make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, {})) {
+        const auto particle = [&](const Tube& tube, double s, const double(&xi)[2]) -> Vec3 {
+            const auto section = element_support(tube, s);
+            return xi[0] * director(tube, rods.q, section, 1) +
+                   xi[1] * director(tube, rods.q, section, 2);
+        };
+        const Vec3 a = particle(rods.tubes[e.tube_a], e.s_a, e.xi_a);
+        const Vec3 b = particle(rods.tubes[e.tube_b], e.s_b, e.xi_b);
+        CHECK(std::abs(a.norm() - 1) < 1e-12);
+        CHECK(a.dot(e.normal) > 0.9);
+        CHECK(b.dot(e.normal) < -0.9);
+    }
+}
+
+TEST_CASE("memory, penalty and side go from one update to the next", "[pairing]") {
+    const Rods rods = raft(cable);
+    auto first = make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, {});
+    for (auto& e : first) {
+        e.slip = 0.003 * e.normal.unitOrthogonal();
+        e.work = 1.25;
+        e.stiffness = 777 + e.zone;
+    }
+    const auto second = make_contact_elements({rods.tubes, {}, {}}, rods.q, first, {});
+    REQUIRE(second.size() == first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        CHECK(identity(first[i]) == identity(second[i]));
+        CHECK((first[i].slip - second[i].slip).norm() < 1e-15);
+        CHECK(second[i].work == 1.25);
+        CHECK(second[i].stiffness == first[i].stiffness);
+        CHECK(first[i].zone == second[i].zone);
+    }
+}
+
+TEST_CASE("all contact elements of a zone share the largest penalty", "[pairing]") {
+    const Rods rods = raft(cable);
+    auto first = make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, {});
+    for (std::size_t i = 0; i < first.size(); ++i)
+        first[i].stiffness = 1000.0 + static_cast<double>(i);
+    std::map<int, double> largest;
+    for (const auto& e : first)
+        largest[e.zone] = std::max(largest[e.zone], e.stiffness);
+    for (const auto& e : make_contact_elements({rods.tubes, {}, {}}, rods.q, first, {}))
+        CHECK(e.stiffness == largest.at(e.zone));
+}
+
+TEST_CASE("tubes pushed through each other keep their sides, if asked to", "[pairing]") {
+    Rods rods;
+    rods.add_straight(cable, 8, 1.0, {0, 0, 0}, {0, 0, 16});
+    rods.add_straight(cable, 8, 1.0, {1.9, 0, 0}, {1.9, 0, 16});
+    const auto before = make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, {});
+    REQUIRE_FALSE(before.empty());
+    for (auto i = static_cast<std::size_t>(rods.tubes[1].first_unknown); i < rods.q.size(); i += 3)
+        rods.q[i] = -0.3;
+    PairingOptions options;
+    for (const bool keep_side : {true, false}) {
+        options.keep_side = keep_side;
+        const Vec3 expected = keep_side ? Vec3::UnitX() : Vec3(-Vec3::UnitX());
+        for (const auto& e : make_contact_elements({rods.tubes, {}, {}}, rods.q, before, options))
+            CHECK((e.normal - expected).norm() < 1e-12);
+    }
+}
+
+TEST_CASE("parts of the work add up to the whole", "[pairing]") {
+    const Rods rods = raft(cable);
+    const Surfaces surfaces{rods.tubes, {}, {{Plane{{0, -0.95, 0}, {0, 1, 0}}, 9}}};
+    std::multiset<decltype(identity({}))> whole, parts;
+    for (const auto& e : make_contact_elements(surfaces, rods.q, {}, {}))
+        whole.insert(identity(e));
+    for (int part = 0; part < 3; ++part) {
+        PairingOptions options;
+        options.part = part;
+        options.num_parts = 3;
+        for (const auto& e : make_contact_elements(surfaces, rods.q, {}, options))
+            parts.insert(identity(e));
+    }
+    CHECK(whole == parts);
+}
+
+TEST_CASE("a rod on a plane touches it along its length", "[pairing]") {
+    Rods rods;
+    rods.add_straight(smooth_cable, 8, 1.0, {0, 0.9, 0}, {0, 0.9, 16});
+    Rigid floor{Plane{{0, 0, 0}, {0, 1, 0}}, 5};
+    floor.translation = {0.2, 0, 0};
+    const auto elements = make_contact_elements({rods.tubes, {}, {floor}}, rods.q, {}, {});
+    double length = 0;
+    for (const auto& e : elements) {
+        CHECK(against_rigid(e));
+        CHECK(e.body_b == 5);
+        CHECK((e.normal + Vec3::UnitY()).norm() < 1e-14);
+        CHECK((e.wall - e.wall_start - Vec3(0.2, 0, 0)).norm() < 1e-14);
+        length += e.weight;
+    }
+    CHECK(std::abs(length - 16) < 1e-9);
+}
+
+TEST_CASE("stacking order rules a crossing until it is separated, then geometry", "[pairing]") {
+    for (const double height : {-0.5, 2.0}) { // of b over a; the order wants b outside
+        Rods rods;
+        rods.add_straight(cable, 8, 1.0, {10, -4, -8}, {10, 4, 8});
+        rods.add_straight(cable, 8, 1.0, {10 + height, 4, -8}, {10 + height, -4, 8});
+        const double l = rods.tubes[0].length();
+        const Crossing crossing{0, 1, 0, l, 0, l, -1, {0, 0, 0}, {0, 0, 1}};
+        const auto elements = make_contact_elements({rods.tubes, {crossing}, {}}, rods.q, {}, {});
+        REQUIRE_FALSE(elements.empty());
+        for (const auto& e : elements) {
+            CHECK((e.crossing == 0) == (height < 0));
+            CHECK(e.normal[0] > 0.5);
+        }
+    }
+}

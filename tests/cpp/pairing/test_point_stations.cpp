@@ -1,0 +1,124 @@
+#include "pairing/stations.h"
+#include "support/rods.h"
+
+#include <Eigen/Geometry>
+#include <catch2/catch_test_macros.hpp>
+#include <numbers>
+
+using namespace braidx;
+using namespace braidx::test;
+
+namespace {
+
+constexpr double tolerance = 0.005;
+
+/// Two rods that cross at `angle` (rad) off their middles, one diameter apart along x.
+Rods crossing_rods(const Kind& kind, double angle, double off_a, double off_b) {
+    const Vec3 a(0, 0, 1), b(0, std::sin(angle), std::cos(angle)), up(1.98, 0, 0);
+    Rods rods;
+    rods.add_straight(kind, 12, 1.0, (-10 + off_a) * a, (10 + off_a) * a);
+    rods.add_straight(kind, 15, 1.0, up + (-12 + off_b) * b, up + (12 + off_b) * b);
+    return rods;
+}
+
+/// Bends all tubes away from the plane x = 0, to a curvature in 1/mm.
+void bend(Rods& rods, double curvature) {
+    for (std::size_t t = 0; t < rods.tubes.size(); ++t)
+        for (std::int32_t i = 0; i < rods.tubes[t].num_nodes(); ++i) {
+            const Vec3 x = rods.node(t, i);
+            const double rise = 0.5 * curvature * (x[1] * x[1] + x[2] * x[2]);
+            rods.q[static_cast<std::size_t>(rods.tubes[t].unknown_of(i))] += t == 0 ? -rise : rise;
+        }
+}
+
+struct Stations {
+    TubePair pair;
+    std::vector<Station> line, point;
+};
+
+Stations stations_of(const Rods& rods, double spacing) {
+    const auto zones =
+        proximity_zones(rods.tubes, rods.q, close_pairs(rods.tubes, rods.q, {0.5, 4}));
+    REQUIRE(zones.size() == 1);
+    Stations out{{rods.tubes[0], rods.tubes[1], rods.q, zones[0].orientation}, {}, {}};
+    out.line = line_stations(out.pair, zones[0].pairs, spacing);
+    out.point = point_stations(out.pair, out.line, spacing, tolerance);
+    return out;
+}
+
+} // namespace
+
+TEST_CASE("rods that cross have a contact at their crossing, 5 to 175 degrees",
+          "[point_stations]") {
+    Random random;
+    for (const auto& kind : all_kinds)
+        for (int degrees = 5; degrees < 180; degrees += 5) {
+            const double angle = degrees * std::numbers::pi / 180;
+            const double off_a = random.uniform(-3, 3), off_b = random.uniform(-3, 3);
+            const Rods rods = crossing_rods(kind, angle, off_a, off_b);
+            const auto found = stations_of(rods, 1.0);
+            INFO(kind.name << " at " << degrees << " degrees");
+            double nearest = 1e9;
+            for (const auto& stations : {found.line, found.point})
+                for (const auto& s : stations)
+                    nearest = std::min(nearest, found.pair.across(s).norm());
+            CHECK(nearest < 1.98 + 1.01 * tolerance);
+            if (degrees < 20 || degrees > 160)
+                continue;
+            REQUIRE(found.point.size() == 1);
+            const auto& s = found.point[0];
+            CHECK(s.index == point_station);
+            CHECK(std::abs(s.s_a - (10 - off_a) / 20 * 12) < 1e-6);
+            CHECK(std::abs(s.s_b - (12 - off_b) / 24 * 15) < 1e-6);
+        }
+}
+
+TEST_CASE("parallel rods need no point stations", "[point_stations]") {
+    Rods rods;
+    rods.add_straight(cable, 12, 1.0, {0, 0, 0}, {0, 0, 20});
+    rods.add_straight(cable, 9, 1.0, {1.9, 0, 3}, {1.9, 0, 18});
+    CHECK(stations_of(rods, 1.0).point.empty());
+}
+
+TEST_CASE("a crossing past the end of a rod is none", "[point_stations]") {
+    for (const double off_b :
+         {11.0, 12.5, 13.5}) { // b's end before, just past, beyond the crossing
+        const Rods rods = crossing_rods(cable, std::numbers::pi / 3, 0, off_b);
+        const auto pairs = close_pairs(rods.tubes, rods.q, {0.5, 4});
+        if (pairs.empty())
+            continue;
+        INFO("b starts " << off_b - 12 << " mm past the crossing");
+        CHECK(stations_of(rods, 1.0).point.size() == (off_b < 12 ? 1 : 0));
+    }
+}
+
+TEST_CASE("point stations are the same when a and b are swapped", "[point_stations]") {
+    for (const auto& kind : all_kinds)
+        for (const double angle : {0.6, 1.5, 2.4}) {
+            Rods rods = crossing_rods(kind, angle, 0.7, -1.1);
+            bend(rods, 0.02);
+            const Rods swapped = rods.reversed();
+            const auto ab = stations_of(rods, 1.0).point, ba = stations_of(swapped, 1.0).point;
+            INFO(kind.name << " at " << angle);
+            REQUIRE(ab.size() == 1);
+            REQUIRE(ba.size() == 1);
+            CHECK(std::abs(ab[0].s_a - ba[0].s_b) < 1e-6);
+            CHECK(std::abs(ab[0].s_b - ba[0].s_a) < 1e-6);
+        }
+}
+
+TEST_CASE("rods with kinks have one contact at their crossing", "[point_stations]") {
+    for (const auto& kind : all_kinds)
+        for (const double angle : {0.6, 1.5, 2.4})
+            for (unsigned seed = 1; seed <= 10; ++seed) {
+                Random random(seed);
+                Rods rods = crossing_rods(kind, angle, 0.7, -1.1);
+                rods.shake(random, 0.04);
+                const auto found = stations_of(rods, 1.0);
+                INFO(kind.name << " at " << angle << ", seed " << seed);
+                REQUIRE(found.point.size() == 1);
+                for (const auto& s : found.line)
+                    CHECK(found.pair.across(found.point[0]).norm() <=
+                          found.pair.across(s).norm() + tolerance);
+            }
+}

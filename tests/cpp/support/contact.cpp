@@ -1,0 +1,132 @@
+#include "contact.h"
+
+namespace braidx::test {
+namespace {
+
+/// A contact element somewhere on the tubes; its allowance is set so that it penetrates by `depth`.
+ContactElement random_element(Random& random, const std::vector<Tube>& tubes, Unknowns q, bool wall,
+                              double depth) {
+    const Tube& a = tubes.front();
+    const Tube& b = tubes.back();
+    ContactElement e{};
+    e.tube_b = wall ? -1 : 1;
+    e.body_b = 1;
+    e.s_a = random.uniform(0, a.num_elements);
+    e.s_b = wall ? 0 : random.uniform(0, b.num_elements);
+    e.normal = random.unit();
+    e.weight = random.uniform(0.2, 1.5);
+    e.stiffness = random.uniform(200, 900);
+    for (int i = 0; i < 2; ++i) {
+        e.xi_a[i] = a.has_directors() ? random.uniform(-0.7, 0.7) : 0;
+        e.xi_b[i] = !wall && b.has_directors() ? random.uniform(-0.7, 0.7) : 0;
+    }
+    if (wall) {
+        e.wall = random.vector(3);
+        e.wall_start = e.wall - random.vector(1e-4);
+    }
+    e.allowance = -depth - local_system(tubes, e, q).gap;
+    return e;
+}
+
+Contact fill(Rods rods, bool wall, double mu, double slide, Random& random) {
+    Contact out{std::move(rods), {}, {}, laws_with(mu)};
+    out.laws.regularisation = 0.05;
+    out.laws.reversible_slip = 0.02;
+    for (int i = 0; i < 6; ++i) {
+        const double depth = random.uniform(0.1, 0.9) * out.laws.regularisation + (i % 2) * 0.06;
+        out.elements.push_back(random_element(random, out.rods.tubes, out.rods.q, wall, depth));
+        const Vec3& normal = out.elements.back().normal;
+        const Vec3 slip = random.vector(1e-4);
+        out.elements.back().slip = slip - slip.dot(normal) * normal;
+    }
+    Rods moved = out.rods;
+    moved.shake(random, slide);
+    out.start = moved.q;
+    return out;
+}
+
+} // namespace
+
+Vector Contact::residual(const std::vector<double>& q) const {
+    Vector out = Vector::Zero(static_cast<Eigen::Index>(q.size()));
+    add_residual(rods.tubes, elements, q, start, laws, {out.data(), q.size()});
+    return out;
+}
+
+Matrix Contact::tangent(FrictionTangent tangent) const {
+    const auto pattern = make_pattern(rods.tubes, elements);
+    std::vector<double> values(9 * pattern.row.size());
+    add_tangent(rods.tubes, elements, pattern, rods.q, start, laws, tangent, values);
+    const auto n = static_cast<Eigen::Index>(rods.q.size());
+    Matrix out = Matrix::Zero(n, n);
+    for (std::size_t block = 0; block < pattern.row.size(); ++block)
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                out(pattern.row[block] + i, pattern.col[block] + j) +=
+                    values[9 * block + static_cast<std::size_t>(3 * i + j)];
+    return out;
+}
+
+double Contact::energy(const std::vector<double>& q) const {
+    double out = 0;
+    for (const auto& e : elements) {
+        const NormalLaw law{e.stiffness * e.weight, laws.regularisation};
+        out += law.energy(reduced_gap(local_system(rods.tubes, e, q).gap,
+                                      local_system(rods.tubes, e, start).gap, laws.gap_step));
+    }
+    return out;
+}
+
+Matrix Contact::finite_difference_tangent(double step) const {
+    const auto n = static_cast<Eigen::Index>(rods.q.size());
+    Matrix out(n, n);
+    auto q = rods.q;
+    for (std::size_t j = 0; j < q.size(); ++j) {
+        q[j] = rods.q[j] + step;
+        const Vector ahead = residual(q);
+        q[j] = rods.q[j] - step;
+        out.col(static_cast<Eigen::Index>(j)) = (ahead - residual(q)) / (2 * step);
+        q[j] = rods.q[j];
+    }
+    return out;
+}
+
+Vector Contact::finite_difference_gradient(double step) const {
+    Vector out(static_cast<Eigen::Index>(rods.q.size()));
+    auto q = rods.q;
+    for (std::size_t j = 0; j < q.size(); ++j) {
+        q[j] = rods.q[j] + step;
+        const double ahead = energy(q);
+        q[j] = rods.q[j] - step;
+        out[static_cast<Eigen::Index>(j)] = (ahead - energy(q)) / (2 * step);
+        q[j] = rods.q[j];
+    }
+    return out;
+}
+
+ContactLaws laws_with(double mu, int num_bodies) {
+    ContactLaws laws;
+    laws.num_bodies = num_bodies;
+    laws.friction.assign(static_cast<std::size_t>(num_bodies * num_bodies), mu);
+    return laws;
+}
+
+Contact random_contact(const Kind& kind_a, const Kind& kind_b, double mu, double slide,
+                       unsigned seed) {
+    Random random(seed);
+    Rods rods;
+    rods.add_straight(kind_a, 3, 1.0, {0, 0, 0}, {0, 0, 6});
+    rods.add_straight(kind_b, 2, 0.8, {1.7, -2, 1}, {1.7, 2, 3});
+    rods.shake(random, 0.2);
+    return fill(std::move(rods), false, mu, slide, random);
+}
+
+Contact random_contact_with_wall(const Kind& kind, double mu, double slide, unsigned seed) {
+    Random random(seed);
+    Rods rods;
+    rods.add_straight(kind, 4, 1.0, {0, 0, 0}, {0, 0, 6});
+    rods.shake(random, 0.2);
+    return fill(std::move(rods), true, mu, slide, random);
+}
+
+} // namespace braidx::test
