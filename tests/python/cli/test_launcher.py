@@ -77,3 +77,25 @@ def test_a_python_without_dolfinx_is_named(tmp_path: Path) -> None:
     )
     assert done.returncode == 2
     assert "lacks: DOLFINx>=0.9" in done.stderr
+
+
+@pytest.mark.parametrize("folder", ["/", "/usr", "/usr/share"])
+def test_no_folder_hides_the_private_root(tmp_path: Path, folder: str) -> None:
+    """Started in a folder that the root has too, the root's own stays in sight (mount is faked)."""
+    tools, root = tmp_path / "tools", tmp_path / "root"
+    tools.mkdir()
+    (root / "usr/share/doc").mkdir(parents=True)
+    (tools / "mount").write_text('#!/bin/sh\necho "$2"\n')
+    (tools / "mount").chmod(0o755)
+    environment = {
+        **os.environ,
+        "PATH": f"{tools}:{os.environ['PATH']}",
+        "BRAIDX_CHECKOUT": str(CHECKOUT),
+        "BRAIDX_CACHE": str(tmp_path),
+    }
+    enter = CHECKOUT / "python/braidx/cli/environment/enter.sh"
+    done = subprocess.run(
+        ["bash", enter, root, "true"], cwd=folder, env=environment, capture_output=True
+    )
+    shown = done.stdout.decode().splitlines()
+    assert "/proc" in shown and folder not in shown

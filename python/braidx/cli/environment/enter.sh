@@ -20,8 +20,10 @@ for path in /*; do
     *) [ -L "$path" ] || show "$path" ;;
     esac
 done
-for path in /var/tmp "$HOME" "${TMPDIR:-/tmp}" "$directory" "$BRAIDX_CHECKOUT" "$BRAIDX_CACHE" /dev /proc /sys; do
-    show "$path"
+for path in /var/tmp /dev /proc /sys; do show "$path"; done
+# What is used may also lie elsewhere; a folder that the root has something in (/, /usr/lib) stays the root's.
+for path in "$HOME" "${TMPDIR:-/tmp}" "$directory" "$BRAIDX_CHECKOUT" "$BRAIDX_CACHE"; do
+    [ -n "$(ls -A "$root$path" 2>/dev/null)" ] || show "$path"
 done
 for path in /etc/resolv.conf /etc/hosts; do
     [ -e "$path" ] && [ -f "$root$path" ] && mount --bind "$path" "$root$path"
