@@ -89,7 +89,7 @@ nb::dict element_arrays(const ContactElements& elements) {
 }
 
 template <class T> const T* column(const nb::dict& arrays, const char* name) {
-    return nb::cast<In<T>>(arrays[name]).data();
+    return nb::cast<In<T>>(arrays[name], false).data();
 }
 
 ContactElements elements_from_arrays(const nb::dict& arrays) {

@@ -4,12 +4,13 @@
 
 namespace braidx {
 
-/// Accepts an increment: contact elements remember their reversible slip, and the work dissipated grows by
-/// R_T . (slip - remembered slip). Elements out of touch forget their slip.
+/// What an increment did.
 struct Committed {
     double work = 0;        ///< dissipated in the increment, N mm
     double penetration = 0; ///< deepest, mm, at least 0
 };
+/// Accepts an increment: contact elements remember their reversible slip, and the work dissipated grows by
+/// R_T . (slip - remembered slip). Elements out of touch forget their slip.
 Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q, Unknowns q_start,
             const ContactLaws& laws);
 

@@ -3,17 +3,28 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace braidx {
+namespace {
+
+/// Curve point at a rest arc length (mm). Past its ends a curve goes on straight, so that the cell in which a
+/// tube ends is cut at the section of the other tube that faces the end.
+CurvePoint extended_point(const Tube& tube, Unknowns q, double arc) {
+    const double inside = std::clamp(arc, 0.0, tube.length());
+    auto out = curve_point(tube, q, inside / tube.element_length);
+    out.position += (arc - inside) * out.tangent;
+    return out;
+}
+
+} // namespace
 
 std::optional<double> TubePair::facing(double mean, double half_difference) const {
     const double o = orientation;
     for (int iteration = 0; iteration < 12; ++iteration) {
-        const auto pa = curve_point(a, q, std::clamp((mean + half_difference) / a.element_length, 0.0,
-                                                     double(a.num_elements)));
-        const auto pb = curve_point(b, q, std::clamp(o * (mean - half_difference) / b.element_length, 0.0,
-                                                     double(b.num_elements)));
+        const auto pa = extended_point(a, q, mean + half_difference);
+        const auto pb = extended_point(b, q, o * (mean - half_difference));
         const Vec3 direction = metric * (pa.tangent + o * pb.tangent);
         const double length2 = direction.squaredNorm();
         if (length2 < 1e-4)
@@ -28,6 +39,8 @@ std::optional<double> TubePair::facing(double mean, double half_difference) cons
 
 std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double arc_b) const {
     const auto inside = [](const Tube& tube, double arc) { return arc >= 0 && arc <= tube.length(); };
+    std::optional<std::pair<double, double>> best;
+    double best_distance = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 30; ++iteration) {
         if (!inside(a, arc_a) || !inside(b, arc_b))
             return std::nullopt;
@@ -35,6 +48,10 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
         const auto pb = curve_point(b, q, arc_b / b.element_length);
         const Vec3 ta = metric * pa.tangent, tb = metric * pb.tangent, d = pb.position - pa.position;
         const double aa = ta.squaredNorm(), bb = tb.squaredNorm(), ab = ta.dot(tb);
+        if (const double distance = (metric * d).norm(); distance < best_distance) {
+            best_distance = distance;
+            best = {arc_a, arc_b};
+        }
         const double det = aa * bb - ab * ab;
         if (det < 1e-6 * aa * bb)
             return std::nullopt;
@@ -47,7 +64,7 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
         if (std::abs(step_a) + std::abs(step_b) < 1e-7 * limit)
             return inside(a, arc_a) && inside(b, arc_b) ? std::optional(std::pair(arc_a, arc_b)) : std::nullopt;
     }
-    return std::nullopt;
+    return best; // kinks, and curves that bend more than they cross, keep the steps jumping
 }
 
 Station TubePair::station(double arc_a, double arc_b, double weight, std::int64_t index) const {

@@ -93,6 +93,10 @@ class Contact:
         changed = engine.adapt_stiffness(self.tubes, self.elements, q, tolerance, growth)
         return self.comm.allreduce(changed)
 
+    def restore_arrays(self, arrays: dict[str, np.ndarray]) -> None:
+        """Takes contact elements with their memory from arrays; each process keeps the pairs it updates."""
+        self.restore(engine.ContactElements.from_arrays(arrays))
+
     def arrays(self) -> dict[str, np.ndarray]:
         """Contact elements of all processes with their memory, the same on each."""
         parts = self.comm.allgather(self.elements.arrays())

@@ -23,27 +23,34 @@ class Form(Step):
     kind: ClassVar[str] = "form"
     table: ClassVar[str] = "form"
 
-    model: str = option(
-        "cable", choices=("cable", "beam"), doc="Model of the yarns while the shape is found."
+    tension: float = option(
+        100.0, unit="N", above=0.0, doc="Tension of each yarn, equal along it and in all yarns."
     )
-    tension: float = option(50.0, unit="N", above=0.0, doc="Tension of each yarn.")
-    stiffness: float = option(
-        1000.0, unit="N", above=0.0, doc="Axial stiffness EA of the yarns while forming as cables."
-    )
-    gap_reduction: float = option(
-        0.2,
+    die_diameter: float | None = option(
+        None,
         unit="mm",
         above=0.0,
-        doc="Largest reduction of a penetration in one increment (eq. 6).",
+        doc="Diameter of the bore that the rope is formed in and that is opened at the end; left out: none.",
     )
-    increments: int = option(60, minimum=1, doc="Most increments.")
+    gap_reduction: float = option(
+        0.5,
+        unit="yarn radius",
+        above=0.0,
+        doc="Largest reduction of a penetration in one increment (paper 1, eq. 6).",
+    )
+    penalty: float = option(
+        3.0,
+        unit="tension / radius^2",
+        above=0.0,
+        doc="Penalty per length of contact while yarns are being separated; raised afterwards.",
+    )
     viscosity: float = option(
-        40.0,
-        unit="N/mm",
-        minimum=0.0,
-        doc="Stabilisation of node positions, halved once the penetrations are resolved.",
+        0.33,
+        unit="tension / element length",
+        above=0.0,
+        doc="Stabilisation of node positions: force per mm moved in the increment.",
     )
-    friction: float = option(0.0, minimum=0.0, doc="Coefficient of friction while forming.")
+    increments: int = option(80, minimum=1, doc="Most increments.")
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,184 @@
+"""Forming: the equilibrium shape of a rope, found from interpenetrating helices (paper 1, 3).
+
+Cables under one constant tension are separated by the stacking order of their strands, gaps being reduced
+step by step (eq. 6). Then the penalty is raised until yarns hardly penetrate. At last the die, if any, is
+opened, and the rope comes to rest with consistent pairs and penetrations within the tolerance. A cable under
+constant tension has no material memory: until it rests, nodes are spread evenly before each increment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import braidx_engine as engine
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from ..output.log import LOGGER
+from ..scene import Form
+from ..solver.increment import Diverged, Increment, IncrementOptions
+from ..system.constraints import Floats
+from .model import RopeModel
+from .outcome import NotConverged, Outcome
+from .state import State
+
+STRETCH = 10.0  # axial stiffness over tension: holds nodes apart within an increment
+PRESSED = 0.06  # penetration over radius at which the die may open and nodes stay where they are
+RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once all yarns are separated
+RAISE_EVERY = 3
+REST = 4  # increments that the rope is given to come to rest, with consistent pairs
+RETRIES = 4  # doublings of the viscosity before forming gives up
+SNAPSHOTS = 4  # pictures on the way
+
+
+def form(model: RopeModel, state: State, step: Form) -> Iterator[Outcome]:
+    """Separates, compacts, and releases.
+
+    Raises:
+        NotConverged: If an increment fails, or yarns still penetrate or lie on the wrong side at the end.
+    """
+    former = Former(model, state, step)
+    while not former.finished:
+        yield former.increment()
+    former.check()
+
+
+class Former:
+    """The forming of one rope; all its numbers are in state.progress, so that it can go on from a checkpoint."""
+
+    def __init__(self, model: RopeModel, state: State, step: Form) -> None:
+        self.model, self.state, self.step = model, state, step
+        scene, radius = model.scene, float(model.rope.radius.min())
+        self._tolerance = scene.contact.penetration_tolerance * radius
+        self._pressed = PRESSED * radius
+        element = scene.rope.pitch / scene.yarn.elements_per_pitch
+        self._viscosity = step.viscosity * step.tension / element
+        self._first_penalty = step.penalty * step.tension / radius**2
+        contact = model.contact
+        contact.laws.friction = [0.0]
+        contact.laws.gap_step = step.gap_reduction * radius
+        contact.pairing.keep_side = False
+        self._number = {
+            "done": 0.0,
+            "separated": 0.0,
+            "penalty": self._first_penalty,
+            "raised": 0.0,
+            "pressed": 0.0,
+            "rested": 0.0,
+            **state.progress,
+        }
+
+    @property
+    def finished(self) -> bool:
+        """Whether the rope is formed, or the increments are used up."""
+        return self._number["rested"] >= REST or self._number["done"] >= self.step.increments
+
+    def increment(self) -> Outcome:
+        """One increment of forming."""
+        number = self._number
+        self._prepare()
+        increment = self._solve()
+        number["done"] += 1
+        self._advance(increment)
+        force = self.model.axial_force(increment.q)
+        self.state = replace(
+            self.state,
+            q=increment.q,
+            reference=self.model.body.rest.ravel().copy(),
+            rest_tension=self.model.tension(increment.q),
+            rate=np.zeros_like(increment.q),
+            contacts=self.model.contact.arrays(),
+            progress=dict(number),
+        )
+        every = max(1, self.step.increments // (2 * SNAPSHOTS))
+        name = f"forming {number['done']:.0f}" if number["done"] % every == 0 else None
+        return Outcome(
+            self.state,
+            increment,
+            min(1.0, number["done"] / self.step.increments),
+            None,
+            force,
+            cost=(increment.iterations, increment.linear_solves),
+            snapshot="formed" if self.finished else name,
+        )
+
+    def check(self) -> None:
+        """Raises NotConverged unless the shape found is one of yarns that do not penetrate."""
+        contact = self.model.contact
+        deepest = float(-contact.results(self.state.q)["gap"].min(initial=0.0))
+        wrong = wrong_side_crossings(self.model, self.state.q)
+        if self._number["rested"] < REST or wrong:
+            pairs = ", ".join(f"{a}-{b}" for a, b in contact.worst_pairs())
+            raise NotConverged(
+                f"the rope is not formed after {self._number['done']:.0f} increments: penetration {deepest:.3f} mm "
+                f"(wanted {self._tolerance:.3f}), {wrong} crossings on the wrong side, deepest between yarns {pairs}; "
+                "try a larger form.die_diameter or braid.helix_radius, more form.increments, or thinner yarns"
+            )
+
+    def _prepare(self) -> None:
+        """Spreads nodes evenly, renews the tension, and puts the die where it belongs; not while resting."""
+        model, number, contact = self.model, self._number, self.model.contact
+        if number["rested"]:
+            return
+        q = spread_nodes(model.centre_lines(self.state.q))
+        model.body.set_reference(q.reshape(-1, 3))
+        model.body.set_properties(
+            tension=self.step.tension, axial_stiffness=STRETCH * self.step.tension
+        )
+        self.state = replace(self.state, q=q)
+        contact.elements = engine.ContactElements()
+        contact.pairing.stiffness = number["penalty"]
+        contact.pairing.crossing.by_point = bool(number["separated"])
+        contact.rigid = []
+        if self.step.die_diameter and not number["pressed"]:
+            axis = np.array([0.0, 0.0, 1.0])
+            contact.rigid = [engine.make_cylinder(0 * axis, axis, self.step.die_diameter / 2, True, 0)]
+
+    def _solve(self) -> Increment:
+        options = IncrementOptions(max_updates=1, in_passing=True)
+        if self._number["pressed"]:
+            options = IncrementOptions(penetration=self._tolerance)
+            self.model.contact.laws.gap_step = -1.0
+        for retry in range(RETRIES + 1):
+            self.model.set_viscosity(self._viscosity * 2**retry)
+            try:
+                return self.model.incrementer.solve(self.state.q, self.state.q, options)
+            except Diverged as failure:
+                LOGGER.warning("forming: %s; stabilisation doubled", failure)
+                last = failure
+        pairs = ", ".join(f"{a}-{b}" for a, b in self.model.contact.worst_pairs())
+        raise NotConverged(
+            f"forming stopped: {last}; deepest contacts between yarns {pairs}; try a smaller form.gap_reduction, "
+            "a higher form.viscosity or a larger form.die_diameter"
+        )
+
+    def _advance(self, increment: Increment) -> None:
+        """What the next increment does: separate, raise the penalty, open the die, rest."""
+        number = self._number
+        if not number["separated"]:
+            number["separated"] = float(wrong_side_crossings(self.model, increment.q) == 0)
+            number["raised"] = number["done"]
+            return
+        if number["pressed"]:
+            number["rested"] += 1
+        elif increment.penetration < self._pressed:
+            number["pressed"] = 1.0
+        elif number["done"] - number["raised"] >= RAISE_EVERY:
+            number["penalty"] *= RAISE
+            number["raised"] = number["done"]
+
+
+def spread_nodes(lines: tuple[Floats, ...]) -> Floats:
+    """Nodes at equal arc lengths along smooth curves through the given ones, shape (3 num_nodes,), mm."""
+    spread = []
+    for line in lines:
+        arc = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+        spread.append(CubicSpline(arc, line)(np.linspace(0.0, arc[-1], len(line))))
+    return np.concatenate(spread).ravel()
+
+
+def wrong_side_crossings(model: RopeModel, q: Floats) -> int:
+    """Number of yarn crossings, seen along the radial direction, where the wrong yarn is outside."""
+    heights = engine.crossing_heights(model.contact.tubes, model.contact.crossings, q)
+    return int(np.sum(heights < 0))

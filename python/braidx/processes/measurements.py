@@ -1,0 +1,67 @@
+"""Results of a run: which numbers are taken from which state."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..geometry import Rope
+from ..output.measures import linear_fit, outer_diameter, yarn_stress
+from ..output.snapshot import Snapshot
+from ..scene import Pull, Scene
+
+STATE_RESULTS = {
+    "rope_axial_stiffness": "kN",
+    "efficiency": "-",
+    "outer_diameter_formed": "mm",
+    "outer_diameter_loaded": "mm",
+    "max_penetration_over_radius": "-",
+    "wrong_side_crossings": "count",
+    "yarn_stress_mean": "MPa",
+    "yarn_stress_std": "MPa",
+    "yarn_stress_min": "MPa",
+    "yarn_stress_max": "MPa",
+    "friction_work": "mJ",
+    "stabilisation_work_share": "-",
+}
+
+
+def state_results(name: str, picture: Snapshot, wrong: int, forming: bool) -> dict[str, float]:
+    """Results of a state worth a picture; stresses and loaded diameter are those of the first pull."""
+    results: dict[str, float] = {"wrong_side_crossings": float(wrong)}
+    if forming and name == "formed":
+        results["outer_diameter_formed"] = outer_diameter(picture)
+    if picture.axial_stress is not None and name.endswith(("kN", "strain")):
+        stress = yarn_stress(picture)
+        results |= {
+            "outer_diameter_loaded": outer_diameter(picture),
+            "yarn_stress_mean": stress.mean,
+            "yarn_stress_std": stress.std,
+            "yarn_stress_min": stress.min,
+            "yarn_stress_max": stress.max,
+        }
+    return results
+
+
+def final_results(scene: Scene, rope: Rope, rows: Mapping[str, np.ndarray]) -> dict[str, float]:
+    """Results of the whole history: stiffness on the linear part, deepest penetration of all equilibria.
+
+    Forming is a way and not a result: of it only the last increment counts.
+    """
+    results: dict[str, float] = {}
+    step = np.array([str(s) for s in rows["step"]])
+    forming = np.char.endswith(step, "form")
+    if forming.any():
+        forming[np.flatnonzero(forming)[-1]] = False
+    if (~forming).any():
+        deepest = rows["max penetration / radius (-)"][~forming].astype(float)
+        results["max_penetration_over_radius"] = float(deepest.max())
+    pulled = np.array([isinstance(scene.steps[int(s.split()[0]) - 1], Pull) for s in step], dtype=bool)
+    if pulled.sum() >= 2:
+        strain = rows["rope strain (-)"][pulled].astype(float)
+        force = rows["force (kN)"][pulled].astype(float)
+        stiffness = linear_fit(strain, force).stiffness
+        results["rope_axial_stiffness"] = stiffness
+        results["efficiency"] = stiffness * 1e3 / (rope.num_yarns * scene.yarn.axial_stiffness)
+    return results

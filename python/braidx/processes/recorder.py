@@ -1,0 +1,188 @@
+"""What a run leaves behind: history, checkpoint, snapshots, fields, pictures, summary."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from mpi4py import MPI
+from rich.console import Console
+
+from ..geometry import Rope
+from ..output import figures, history, paraview, snapshot
+from ..output.history import History, HistoryRow
+from ..output.log import LOGGER, close_log, open_log
+from ..output.progress import Progress
+from ..output.snapshot import ContactTable, Snapshot
+from ..output.summary import PhaseCost, Summary, peak_memory_MB
+from ..scene import Form, Scene, Step
+from . import state as checkpoint
+from .form import wrong_side_crossings
+from .measurements import STATE_RESULTS, final_results, state_results
+from .model import RopeModel
+from .outcome import Outcome
+from .state import State
+
+SNAPSHOTS = "snapshots"
+WEIGHTS = {"form": 4.0, "settle": 1.0, "pull": 4.0, "hold": 1.0, "cycle": 6.0}
+
+
+class Recorder:
+    """Writes on the first process only; the other processes take part in gathering."""
+
+    def __init__(self, comm: MPI.Comm, scene: Scene, rope: Rope, folder: Path, resumed: State | None) -> None:
+        self.comm, self.scene, self.rope, self.folder = comm, scene, rope, folder
+        self.first = comm.rank == 0
+        self._results: dict[str, float] = dict(resumed.results) if resumed else {}
+        self._costs: Mapping[str, PhaseCost] = resumed.costs if resumed else {}
+        self._unknowns = self._elements = 0
+        self._internal_energy = 0.0
+        if not self.first:
+            return
+        console = Console()
+        open_log(folder, console, append=resumed is not None)
+        after = resumed.increment if resumed else None
+        self._history = History(folder / "history.csv", after)
+        self._series = paraview.Series(folder / "fields", after) if scene.output.fields else None
+        (folder / SNAPSHOTS).mkdir(exist_ok=True)
+        names = [f"{i + 1} {step.kind}" for i, step in enumerate(scene.steps)]
+        self._progress = Progress(names, [WEIGHTS[step.kind] for step in scene.steps], console)
+        if resumed is None:
+            self._keep(start_snapshot(rope), 0)
+        elif resumed.step < len(names):
+            LOGGER.info("resumed after increment %d", resumed.increment)
+            self._progress.resume(names[resumed.step], 0.0)
+
+    def begin(self, step: Step, model: RopeModel) -> None:
+        """A step begins with a model."""
+        self._unknowns = max(self._unknowns, model.system.num_free)
+
+    def record(self, model: RopeModel, step: Step, outcome: Outcome, seconds: float) -> None:
+        """One more increment is accepted."""
+        state, increment = outcome.state, outcome.increment
+        self._elements = max(self._elements, increment.contact_elements)
+        energy = model.internal_energy(state.q)
+        share = state.stabilisation_work / energy if energy > 0 and state.model != "forming" else 0.0
+        picture = model_snapshot(model, state, outcome.snapshot or step.kind) if self._wanted(outcome) else None
+        self._results |= {"stabilisation_work_share": share, "friction_work": state.friction_work}
+        if outcome.snapshot and picture is not None:
+            wrong = wrong_side_crossings(model, state.q)
+            self._results |= state_results(outcome.snapshot, picture, wrong, isinstance(step, Form))
+        state.results.update(self._results)
+        self._costs = state.costs
+        self.checkpoint(state)
+        if not self.first:
+            return
+        row = HistoryRow(
+            state.increment,
+            outcome.strain,
+            outcome.force / 1e3,
+            outcome.cost[0],
+            increment.contact_elements,
+            increment.penetration,
+            state.friction_work,
+            seconds,
+            f"{state.step + 1} {step.kind}",
+            increment.penetration / float(self.rope.radius.min()),
+            share,
+            outcome.cost[1],
+            increment.updates,
+            outcome.cuts,
+        )
+        self._history.append(row)
+        self._progress.increment(row, outcome.share)
+        if picture is not None and self._series is not None and state.increment % self.scene.output.every == 0:
+            self._series.append(picture, state.increment)
+        if picture is not None and outcome.snapshot:
+            self._keep(picture, state.increment)
+
+    def checkpoint(self, state: State) -> None:
+        """Writes the state to go on from."""
+        if self.first:
+            checkpoint.save(state, self.folder)
+
+    def finish(self, converged: bool) -> dict[str, Any]:
+        """Pictures, the table of time per phase and summary.json."""
+        contents: dict[str, Any] = {}
+        memory = self.comm.allreduce(peak_memory_MB())
+        if self.first:
+            self._history.close()
+            if self.scene.output.pictures:
+                kept = [snapshot.load(path) for path in sorted((self.folder / SNAPSHOTS).glob("*.npz"))]
+                figures.draw_all(self.folder, kept, self.folder / "history.csv", self.scene.expected)
+            self._progress.finish(self._costs)
+            contents = self._write_summary(converged, memory)
+            close_log()
+        return self.comm.bcast(contents)
+
+    def _write_summary(self, converged: bool, memory: float) -> dict[str, Any]:
+        summary = Summary(self.scene.name, self.scene.expected)
+        summary.converged = converged
+        rows = history.read(self.folder / "history.csv")
+        values = {**self._results, **final_results(self.scene, self.rope, rows)}
+        for name, unit in STATE_RESULTS.items():
+            if name in values or name in self.scene.expected:
+                summary.set(name, values.get(name), unit)
+        cost = summary.cost
+        cost.phases = dict(self._costs)
+        cost.peak_memory_MB = memory
+        cost.unknowns, cost.contact_elements = self._unknowns, self._elements
+        cost.ranks, cost.threads = self.comm.size, 1
+        summary.write(self.folder / "summary.json")
+        return summary.as_dict()
+
+    def _wanted(self, outcome: Outcome) -> bool:
+        fields = self.scene.output.fields and outcome.state.increment % self.scene.output.every == 0
+        return fields or outcome.snapshot is not None
+
+    def _keep(self, picture: Snapshot, increment: int) -> None:
+        name = picture.name.replace(" ", "_").replace(",", "").replace("%", "percent")
+        snapshot.save(picture, self.folder / SNAPSHOTS / f"{increment:05d}_{name}.npz")
+
+
+def start_snapshot(rope: Rope) -> Snapshot:
+    """The start configuration."""
+    return Snapshot("start", rope.centre_lines, rope.radius, rope.strand)
+
+
+def model_snapshot(model: RopeModel, state: State, name: str) -> Snapshot:
+    """A state with its contacts, and stresses unless it is being formed; gathered from all processes."""
+    q, own_model = state.q, state.model != "forming"
+    degree, curves = model.body.layout.degree, model.body.layout.curve_elements
+    per_segment = np.repeat(model.tension(q), degree)
+    tension = tuple(np.split(per_segment, curves[1:-1] * degree))
+    area = model.scene.yarn.section_area
+    directors = None
+    if model.body.block == 9:
+        all_directors = q.reshape(-1, 9)[:, 3:].reshape(-1, 2, 3)
+        directors = tuple(np.split(all_directors, model.body.curves[1:-1]))
+    return Snapshot(
+        name,
+        model.centre_lines(q),
+        model.rope.radius,
+        model.rope.strand,
+        directors=directors,
+        tension=tension,
+        axial_stress=tuple(t / area for t in tension) if own_model else None,
+        contacts=_contact_table(model, q),
+    )
+
+
+def _contact_table(model: RopeModel, q: np.ndarray) -> ContactTable:
+    parts = model.comm.allgather(model.contact.results(q))
+    whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    yarns = whole["tubes"][:, 1] >= 0
+    kept = {name: values[yarns] for name, values in whole.items()}
+    return ContactTable(
+        position=kept["position"],
+        normal=kept["normal"],
+        gap=kept["gap"],
+        normal_force=kept["normal_force"],
+        friction_force=-kept["friction_force"],
+        slip=np.linalg.norm(kept["slip"], axis=1),
+        work=kept["work"],
+        yarn_a=kept["tubes"][:, 0].astype(np.int64),
+        yarn_b=kept["tubes"][:, 1].astype(np.int64),
+    )
