@@ -3,7 +3,10 @@
 
 build_folder() {
     local cpu
-    cpu=$(grep -m 1 -E '^(flags|Features)' /proc/cpuinfo 2>/dev/null || uname -m)
+    case ${BRAIDX_CMAKE_ARGS:-} in
+    *BRAIDX_NATIVE=OFF*) cpu=any ;;
+    *) cpu=$(grep -m 1 -E '^(flags|Features)' /proc/cpuinfo 2>/dev/null || uname -m) ;;
+    esac
     build=$cache/build/$(printf '%s\n' "$checkout" "$environment" "$cpu" "${BRAIDX_CMAKE_ARGS:-}" | sha1sum | cut -c 1-12)
 }
 
