@@ -51,7 +51,7 @@ update_private_root() {
 
 make_private_root() {
     local partial=$private_root.partial packages options growing
-    growing=$partial
+    growing=$cache
     mapfile -t packages <"$here/debian.txt"
     rm -rf --one-file-system "$partial" "$private_root"
     note "DOLFINx >= 0.9 is not here: making a private Debian 13 with it in $private_root (once; about 5 minutes and 2.5 GB)"
