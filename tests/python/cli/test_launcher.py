@@ -92,6 +92,7 @@ def test_no_folder_hides_the_private_root(tmp_path: Path, folder: str) -> None:
         "PATH": f"{tools}:{os.environ['PATH']}",
         "BRAIDX_CHECKOUT": str(CHECKOUT),
         "BRAIDX_CACHE": str(tmp_path),
+        "BRAIDX_UID": "0",
     }
     enter = CHECKOUT / "python/braidx/cli/environment/enter.sh"
     done = subprocess.run(

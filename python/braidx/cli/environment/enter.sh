@@ -25,10 +25,16 @@ for path in /var/tmp /dev /proc /sys; do show "$path"; done
 for path in "$HOME" "${TMPDIR:-/tmp}" "$directory" "$BRAIDX_CHECKOUT" "$BRAIDX_CACHE"; do
     [ -n "$(ls -A "$root$path" 2>/dev/null)" ] || show "$path"
 done
-for path in /etc/resolv.conf /etc/hosts; do
+names=(/etc/resolv.conf /etc/hosts)
+become=(chroot "$root")
+if [ "$BRAIDX_UID" != 0 ]; then # a user who became root only to mount becomes himself again
+    names+=(/etc/passwd /etc/group)
+    become=(unshare --user --map-user="$BRAIDX_UID" --map-group="$BRAIDX_GID" --root="$root" --)
+fi
+for path in "${names[@]}"; do
     [ -e "$path" ] && [ -f "$root$path" ] && mount --bind "$path" "$root$path"
 done
 
 unset PYTHONPATH PYTHONHOME VIRTUAL_ENV LD_LIBRARY_PATH LD_PRELOAD PETSC_DIR PETSC_ARCH
 export BRAIDX_ROOT="$root" PYTHONNOUSERSITE=1 LC_ALL=C.UTF-8 PATH=/usr/bin:/bin:/usr/sbin:/sbin
-exec chroot "$root" /usr/bin/env --chdir="$directory" "$@"
+exec "${become[@]}" /usr/bin/env --chdir="$directory" "$@"
