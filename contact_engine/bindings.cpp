@@ -83,6 +83,7 @@ nb::dict element_arrays(const ContactElements& elements) {
     out["body_b"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.body_b; });
     out["wall"] = gather<double>(elements, 6, [](const E& e, auto i) { return i < 3 ? e.wall[i] : e.wall_start[i - 3]; });
     out["allowance"] = gather<double>(elements, 1, [](const E& e, auto) { return e.allowance; });
+    out["follows"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.follows; });
     out["zone"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.zone; });
     out["crossing"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.crossing; });
     return out;
@@ -101,11 +102,12 @@ ContactElements elements_from_arrays(const nb::dict& arrays) {
                *allowance = column<double>(arrays, "allowance"), *wall = column<double>(arrays, "wall");
     const auto* station = column<std::int64_t>(arrays, "station");
     const auto *zone = column<std::int32_t>(arrays, "zone"), *body_b = column<std::int32_t>(arrays, "body_b"),
+               *follows = column<std::int32_t>(arrays, "follows"),
                *crossing = column<std::int32_t>(arrays, "crossing");
     ContactElements out(nb::cast<In<double>>(arrays["weight"]).size());
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] = {.tube_a = tubes[2 * i], .tube_b = tubes[2 * i + 1], .body_b = body_b[i], .s_a = s[2 * i], .s_b = s[2 * i + 1],
-                  .station = station[i], .normal = Eigen::Map<const Vec3>(normal + 3 * i), .weight = weight[i],
+                  .station = station[i], .normal = Eigen::Map<const Vec3>(normal + 3 * i), .follows = follows[i], .weight = weight[i],
                   .stiffness = stiffness[i], .xi_a = {xi[4 * i], xi[4 * i + 1]}, .xi_b = {xi[4 * i + 2], xi[4 * i + 3]},
                   .slip = Eigen::Map<const Vec3>(slip + 3 * i), .work = work[i], .wall = Eigen::Map<const Vec3>(wall + 6 * i),
                   .wall_start = Eigen::Map<const Vec3>(wall + 6 * i + 3), .allowance = allowance[i], .zone = zone[i],
@@ -198,6 +200,7 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("spacing", &PairingOptions::spacing)
         .def_rw("point_tolerance", &PairingOptions::point_tolerance)
         .def_rw("stiffness", &PairingOptions::stiffness)
+        .def_rw("follow", &PairingOptions::follow)
         .def_rw("keep_side", &PairingOptions::keep_side)
         .def_rw("part", &PairingOptions::part)
         .def_rw("num_parts", &PairingOptions::num_parts);
@@ -206,6 +209,7 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("regularisation", &ContactLaws::regularisation)
         .def_rw("reversible_slip", &ContactLaws::reversible_slip)
         .def_rw("gap_step", &ContactLaws::gap_step)
+        .def_rw("sliding", &ContactLaws::sliding)
         .def_rw("num_bodies", &ContactLaws::num_bodies)
         .def_rw("friction", &ContactLaws::friction);
 

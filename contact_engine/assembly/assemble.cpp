@@ -1,5 +1,9 @@
 #include "assemble.h"
 
+#include "sliding.h"
+
+#include <optional>
+
 namespace braidx {
 namespace {
 
@@ -20,15 +24,15 @@ FrictionGradient friction_gradient(const Reaction& r, const Vec3& normal, Fricti
     return out;
 }
 
-Mat3 block(const Reaction& r, const Mat3& nn, const FrictionGradient& friction, const Vec3& normal, int i, int j) {
+Mat3 block(const Reaction& r, const FrictionGradient& friction, int i, int j) {
     const auto& s = r.system;
     double along = r.stiffness * s.gap_weight[i] * s.gap_weight[j];
     if (s.same_side(i, j))
         along += r.normal_force * s.spin_weight[i] * s.spin_weight[j];
-    Mat3 out = along * nn;
+    Mat3 out = along * s.normal(i) * s.normal(j).transpose();
     if (r.friction.coefficient > 0) {
         out += s.slip_weight[i] * s.slip_weight[j] * friction.with_slip;
-        out += s.slip_weight[i] * s.gap_weight[j] * friction.with_gap * normal.transpose();
+        out += s.slip_weight[i] * s.gap_weight[j] * friction.with_gap * s.normal(j).transpose();
     }
     return out;
 }
@@ -44,24 +48,31 @@ void add_residual(const std::vector<Tube>& tubes, const ContactElements& element
         const auto& s = r.system;
         for (int i = 0; i < s.count; ++i)
             Eigen::Map<Vec3>(residual.data() + s.unknown[i]) +=
-                s.slip_weight[i] * r.friction_force - (r.normal_force * s.gap_weight[i]) * element.normal;
+                s.slip_weight[i] * r.friction_force - (r.normal_force * s.gap_weight[i]) * s.normal(i);
     }
 }
 
 void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements, const Pattern& pattern, Unknowns q,
                  Unknowns q_start, const ContactLaws& laws, FrictionTangent tangent, std::span<double> values) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
-        const auto& normal = elements[e].normal;
         const Reaction r = reaction(tubes, elements[e], q, q_start, laws);
         if (!r.acts())
             continue;
-        const Mat3 nn = normal * normal.transpose();
-        const auto friction = friction_gradient(r, normal, tangent);
+        const auto& system = r.system;
+        const auto friction = friction_gradient(r, elements[e].normal, tangent);
+        std::optional<Sliding> sliding;
+        if (laws.sliding && system.facing.distance > 0)
+            sliding.emplace(tubes, elements[e], q, system);
+        // Unknowns that came in as sections moved on have no place in the pattern yet: Newton does without.
         const std::int32_t* slot = pattern.slot.data() + pattern.first_slot[e];
-        for (int i = 0; i < r.system.count; ++i)
-            for (int j = 0; j < r.system.count; ++j)
+        for (int i = 0; i < system.count_frozen; ++i)
+            for (int j = 0; j < system.count_frozen; ++j) {
+                Mat3 part = block(r, friction, i, j);
+                if (sliding)
+                    part -= r.normal_force * sliding->block(i, j);
                 Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values.data() + 9 * std::int64_t{*slot++}) +=
-                    block(r, nn, friction, normal, i, j);
+                    part;
+            }
     }
 }
 

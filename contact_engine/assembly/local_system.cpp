@@ -6,54 +6,97 @@
 namespace braidx {
 namespace {
 
-/// Appends the unknowns of one side; sign is -1 for a and +1 for b.
-void add_side(LocalSystem& system, const Tube& tube, double s, const double (&xi)[2], const Vec3& normal, double sign,
-              Unknowns q) {
-    const auto add = [&](std::int64_t unknown, double gap_weight, double slip_weight, double spin_weight) {
+/// Adds a side's material particle, at the element's own section: unknowns in the order of the pattern.
+void add_particle(LocalSystem& system, const Tube& tube, double s, const double (&xi)[2], bool of_b, Unknowns q) {
+    const double sign = of_b ? 1 : -1;
+    const auto add = [&](std::int64_t unknown, double weight) {
         const int i = system.count++;
         system.unknown[i] = unknown;
-        system.gap_weight[i] = gap_weight;
-        system.slip_weight[i] = slip_weight;
-        system.spin_weight[i] = spin_weight;
-        const Vec3 value = vector_at(q, unknown);
-        system.separation += slip_weight * value;
-        return value;
+        system.of_b[i] = of_b;
+        system.slip_weight[i] = sign * weight;
+        system.separation += sign * weight * vector_at(q, unknown);
     };
     const Support centre = contact_support(tube, s);
+    for (int i = 0; i < centre.count; ++i)
+        add(tube.unknown_of(centre.node[i]), centre.weight[i]);
+    if (!tube.has_directors())
+        return;
+    const Support section = element_support(tube, s);
+    for (int which = 0; which < 2; ++which)
+        for (int i = 0; i < section.count; ++i)
+            add(tube.unknown_of(section.node[i]) + 3 * (which + 1), xi[which] * section.weight[i]);
+}
+
+/// Adds a side's part of the gap: the centre line at s, where it faces the other side; the half width at the
+/// element's own section, own_s.
+void add_gap(LocalSystem& system, const Tube& tube, double s, double own_s, bool of_b, Unknowns q) {
+    const Vec3& normal = system.facing.normal;
+    const double sign = of_b ? 1 : -1;
+    const Support centre = contact_support(tube, s);
     for (int i = 0; i < centre.count; ++i) {
-        const double weight = sign * centre.weight[i];
-        system.gap += weight * normal.dot(add(tube.unknown_of(centre.node[i]), weight, weight, 0));
+        const auto unknown = tube.unknown_of(centre.node[i]);
+        system.gap_weight[system.index_of(unknown, of_b)] = sign * centre.weight[i];
+        system.gap += sign * centre.weight[i] * normal.dot(vector_at(q, unknown));
     }
     if (!tube.has_directors()) {
         system.gap -= tube.radius;
         return;
     }
-    const Support section = element_support(tube, s);
-    const double c1 = director(tube, q, section, 1).dot(normal), c2 = director(tube, q, section, 2).dot(normal);
+    const Support section = element_support(tube, own_s);
+    const Vec3& own = system.own_normal;
+    const double c1 = director(tube, q, section, 1).dot(own), c2 = director(tube, q, section, 2).dot(own);
     const double norm = std::max(std::hypot(c1, c2), 1e-12);
     const double along[2] = {c1 / norm, c2 / norm}, across[2] = {-c2 / norm, c1 / norm};
     system.gap -= tube.radius * norm;
     for (int which = 0; which < 2; ++which)
-        for (int i = 0; i < section.count; ++i)
-            add(tube.unknown_of(section.node[i]) + 3 * (which + 1), -tube.radius * along[which] * section.weight[i],
-                sign * xi[which] * section.weight[i],
-                std::sqrt(tube.radius / norm) * across[which] * section.weight[i]);
+        for (int i = 0; i < section.count; ++i) {
+            const int at = system.index_of(tube.unknown_of(section.node[i]) + 3 * (which + 1), of_b);
+            system.is_director[at] = true;
+            system.gap_weight[at] = -tube.radius * along[which] * section.weight[i];
+            system.spin_weight[at] = std::sqrt(tube.radius / norm) * across[which] * section.weight[i];
+        }
+}
+
+LocalSystem system_at(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q, const Facing& where) {
+    LocalSystem system;
+    system.facing = where;
+    system.own_normal = e.normal;
+    system.gap = e.allowance;
+    const Tube& a = tubes[e.tube_a];
+    add_particle(system, a, e.s_a, e.xi_a, false, q);
+    system.count_a = system.count;
+    if (!against_rigid(e))
+        add_particle(system, tubes[e.tube_b], e.s_b, e.xi_b, true, q);
+    system.count_frozen = system.count;
+    add_gap(system, a, where.s_a, e.s_a, false, q);
+    if (against_rigid(e)) {
+        system.gap += e.normal.dot(e.wall);
+        system.separation += e.wall;
+    } else {
+        add_gap(system, tubes[e.tube_b], where.s_b, e.s_b, true, q);
+    }
+    return system;
 }
 
 } // namespace
 
-LocalSystem local_system(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q) {
-    LocalSystem system;
-    system.gap = element.allowance;
-    add_side(system, tubes[element.tube_a], element.s_a, element.xi_a, element.normal, -1, q);
-    system.count_a = system.count;
-    if (against_rigid(element)) {
-        system.gap += element.normal.dot(element.wall);
-        system.separation += element.wall;
-    } else {
-        add_side(system, tubes[element.tube_b], element.s_b, element.xi_b, element.normal, 1, q);
+int LocalSystem::index_of(std::int64_t number, bool belongs_to_b) {
+    const auto* found = std::find(unknown.begin(), unknown.begin() + count, number);
+    const int index = static_cast<int>(found - unknown.begin());
+    if (index == count) {
+        unknown[index] = number;
+        of_b[index] = belongs_to_b;
+        ++count;
     }
-    return system;
+    return index;
+}
+
+LocalSystem local_system(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q) {
+    return system_at(tubes, e, q, facing(tubes, e, q));
+}
+
+LocalSystem frozen_system(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q) {
+    return system_at(tubes, e, q, {e.s_a, e.s_b, e.normal, 1, 0});
 }
 
 } // namespace braidx

@@ -10,7 +10,7 @@ Reaction reaction(const std::vector<Tube>& tubes, const ContactElement& element,
     const bool may_act = gap < 0, needs_start = may_act && (mu > 0 || laws.gap_step >= 0);
     LocalSystem start;
     if (needs_start)
-        start = local_system(tubes, element, q_start);
+        start = frozen_system(tubes, element, q_start);
     if (may_act && laws.gap_step >= 0)
         gap = reduced_gap(gap, start.gap, laws.gap_step);
     const NormalLaw normal_law{element.stiffness * element.weight, laws.regularisation};

@@ -13,6 +13,7 @@ struct ContactLaws {
     double regularisation = 0.004;   ///< p_reg, mm
     double reversible_slip = 0.01;   ///< g_rev,max, mm
     double gap_step = -1;            ///< gap reduction per increment, mm; negative: off
+    bool sliding = true;             ///< tangent with the sliding of sections: exact, but not always definite
     int num_bodies = 1;
     std::vector<double> friction;    ///< mu of body a against body b, num_bodies x num_bodies
 

@@ -4,26 +4,18 @@
 #include <cmath>
 
 namespace braidx {
-namespace {
-
-std::int64_t key(const ContactElement& e) { return std::int64_t{e.tube_a} * (std::int64_t{1} << 32) + e.tube_b; }
-
-} // namespace
-
 History::History(const ContactElements& previous, const std::vector<Tube>& tubes)
     : previous_(previous), tubes_(tubes) {
     by_tubes_.reserve(previous.size());
     for (std::size_t i = 0; i < previous.size(); ++i)
-        by_tubes_.emplace(key(previous[i]), i);
+        by_tubes_.emplace(key(previous[i].tube_a, previous[i].tube_b), i);
 }
 
 const ContactElement* History::predecessor(const ContactElement& element, double reach) const {
     const ContactElement* best = nullptr;
-    const auto [first, last] = by_tubes_.equal_range(key(element));
-    for (auto at = first; at != last; ++at) {
-        const auto& old = previous_[at->second];
+    for_each(element.tube_a, element.tube_b, [&](const ContactElement& old) {
         if (old.station != element.station)
-            continue;
+            return;
         double apart = std::abs(old.s_a - element.s_a) * tubes_[element.tube_a].element_length;
         if (!against_rigid(element))
             apart += std::abs(old.s_b - element.s_b) * tubes_[element.tube_b].element_length;
@@ -31,7 +23,7 @@ const ContactElement* History::predecessor(const ContactElement& element, double
             reach = apart;
             best = &old;
         }
-    }
+    });
     return best;
 }
 

@@ -33,11 +33,14 @@ class Builder {
     Builder(const Tubes& tubes, Unknowns q, const ContactElements& previous, const PairingOptions& options)
         : tubes_(tubes), q_(q), options_(options), history_(previous, tubes) {}
 
-    void add_zone(std::int32_t a, std::int32_t b, const std::vector<Station>& stations) {
+    void add_zone(std::int32_t a, std::int32_t b, int orientation, const std::vector<Station>& stations) {
+        const auto inside = [&](std::int32_t t, double s) { return s > 0 && s < tubes_[t].num_elements; };
         const std::size_t first = elements.size();
-        for (const auto& s : stations)
+        for (const auto& s : stations) {
+            const int follows = options_.follow && inside(a, s.s_a) && inside(b, s.s_b) ? orientation : 0;
             add({.tube_a = a, .tube_b = b, .s_a = s.s_a, .s_b = s.s_b, .station = s.index,
-                 .normal = centre_to_centre(a, b, s), .weight = s.weight, .stiffness = 0});
+                 .normal = centre_to_centre(a, b, s), .follows = follows, .weight = s.weight, .stiffness = 0});
+        }
         share_stiffness(first);
     }
 
@@ -70,6 +73,7 @@ class Builder {
     }
 
     ContactElements elements;
+    const History& history() const { return history_; }
 
   private:
     void add(ContactElement e) {
@@ -130,11 +134,37 @@ Unseparated add_crossings(Builder& builder, const Tubes& tubes, const std::vecto
     return out;
 }
 
+bool covers(const ProximityZone& zone, const Station& s) {
+    return std::ranges::any_of(zone.pairs, [&](const ElementPair& p) {
+        return std::abs(p.element_a + 0.5 - s.s_a) < 1.5 && std::abs(p.element_b + 0.5 - s.s_b) < 1.5;
+    });
+}
+
+/// Point stations of before stay while their closest approach exists, whether or not one would be made there now:
+/// stations that come and go with every update would keep the rope from coming to rest.
+void keep_points(std::vector<Station>& points, const TubePair& pair, const ProximityZone& zone, const History& history,
+                 double spacing) {
+    history.for_each(zone.tube_a, zone.tube_b, [&](const ContactElement& old) {
+        if (old.station != point_station)
+            return;
+        const auto at = pair.closest(old.s_a * pair.a.element_length, old.s_b * pair.b.element_length);
+        if (!at)
+            return;
+        const auto kept = pair.station(at->first, at->second, old.weight, point_station);
+        const bool taken = std::ranges::any_of(points, [&](const Station& p) {
+            return std::abs(p.s_a - kept.s_a) * pair.a.element_length < 0.5 * spacing;
+        });
+        if (!taken && covers(zone, kept))
+            points.push_back(kept);
+    });
+}
+
 void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone, const Unseparated& unseparated,
               Unknowns q, const PairingOptions& options) {
     const TubePair pair{tubes[zone.tube_a], tubes[zone.tube_b], q, zone.orientation};
     auto stations = line_stations(pair, zone.pairs, options.spacing);
-    const auto points = point_stations(pair, stations, options.spacing, options.point_tolerance);
+    auto points = point_stations(pair, stations, options.spacing, options.point_tolerance);
+    keep_points(points, pair, zone, builder.history(), options.spacing);
     stations.insert(stations.end(), points.begin(), points.end());
     const double reach = pair.a.radius + pair.b.radius + options.search.margin;
     const auto [first, last] = unseparated.equal_range({zone.tube_a, zone.tube_b});
@@ -143,7 +173,7 @@ void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone, c
         return pair.across(s).norm() > reach ||
                std::any_of(first, last, [&](const auto& c) { return c.second->contains(arc_a, arc_b); });
     });
-    builder.add_zone(zone.tube_a, zone.tube_b, stations);
+    builder.add_zone(zone.tube_a, zone.tube_b, zone.orientation, stations);
 }
 
 } // namespace

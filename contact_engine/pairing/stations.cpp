@@ -31,7 +31,7 @@ std::optional<double> TubePair::facing(double mean, double half_difference) cons
             return std::nullopt;
         const double step = (pb.position - pa.position).dot(direction) / length2;
         half_difference += std::clamp(step, -a.element_length, a.element_length);
-        if (std::abs(step) < 1e-7 * a.element_length)
+        if (std::abs(step) < 1e-10 * a.element_length)
             return half_difference;
     }
     return half_difference; // kinks of polygons keep the last digits moving: harmless for a station
@@ -61,7 +61,7 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
         const double step_b = std::clamp((da * ab - db * aa) / det, -limit, limit);
         arc_a += step_a;
         arc_b += step_b;
-        if (std::abs(step_a) + std::abs(step_b) < 1e-7 * limit)
+        if (std::abs(step_a) + std::abs(step_b) < 1e-10 * limit)
             return inside(a, arc_a) && inside(b, arc_b) ? std::optional(std::pair(arc_a, arc_b)) : std::nullopt;
     }
     return best; // kinks, and curves that bend more than they cross, keep the steps jumping

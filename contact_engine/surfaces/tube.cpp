@@ -25,6 +25,7 @@ Support quadratic_support(std::int32_t e, double t) {
     out.node = {2 * e, 2 * e + 1, 2 * e + 2};
     out.weight = {(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)};
     out.slope = {4 * t - 3, 4 - 8 * t, 4 * t - 1};
+    out.bend = {4, -8, 4};
     return out;
 }
 
@@ -34,6 +35,7 @@ Support smooth_support(std::int32_t e, double t, std::int32_t num_elements) {
                                t * (0.5 + t * (2.0 - 1.5 * t)), t * t * (-0.5 + 0.5 * t)};
     std::array<double, 4> d = {-0.5 + t * (2.0 - 1.5 * t), t * (-5.0 + 4.5 * t),
                                0.5 + t * (4.0 - 4.5 * t), t * (-1.0 + 1.5 * t)};
+    std::array<double, 4> b = {2.0 - 3.0 * t, -5.0 + 9.0 * t, 4.0 - 9.0 * t, -1.0 + 3.0 * t};
     const auto fold = [](std::array<double, 4>& v, int phantom, int near, int far) {
         v[near] += 2.0 * v[phantom];
         v[far] -= v[phantom];
@@ -43,16 +45,19 @@ Support smooth_support(std::int32_t e, double t, std::int32_t num_elements) {
     if (first) {
         fold(w, 0, 1, 2);
         fold(d, 0, 1, 2);
+        fold(b, 0, 1, 2);
     }
     if (last) {
         fold(w, 3, 2, 1);
         fold(d, 3, 2, 1);
+        fold(b, 3, 2, 1);
     }
     Support out;
     for (int i = first ? 1 : 0; i < (last ? 3 : 4); ++i) {
         out.node[out.count] = e - 1 + i;
         out.weight[out.count] = w[i];
         out.slope[out.count] = d[i];
+        out.bend[out.count] = b[i];
         ++out.count;
     }
     return out;
@@ -90,6 +95,14 @@ CurvePoint curve_point(const Tube& tube, Unknowns q, double s) {
         out.tangent += slope.slope[i] * vector_at(q, tube.unknown_of(slope.node[i]));
     out.tangent /= tube.element_length;
     return out;
+}
+
+Vec3 curve_bend(const Tube& tube, Unknowns q, double s) {
+    const Support support = contact_support(tube, s);
+    Vec3 bend = Vec3::Zero();
+    for (int i = 0; i < support.count; ++i)
+        bend += support.bend[i] * vector_at(q, tube.unknown_of(support.node[i]));
+    return bend / (tube.element_length * tube.element_length);
 }
 
 Vec3 director(const Tube& tube, Unknowns q, const Support& support, int which) {

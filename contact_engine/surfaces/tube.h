@@ -31,6 +31,7 @@ struct Support {
     std::array<std::int32_t, 4> node{};
     std::array<double, 4> weight{};
     std::array<double, 4> slope{};
+    std::array<double, 4> bend{}; ///< second derivative with s (contact geometry only)
 };
 
 /// Weights of the finite element's own shape functions at s (directors, and positions of rough tubes).
@@ -48,6 +49,10 @@ struct CurvePoint {
     Vec3 position;
     Vec3 tangent;
 };
+
+/// Second derivative of the contact geometry with the rest arc length, at s.
+Vec3 curve_bend(const Tube& tube, Unknowns q, double s);
+
 CurvePoint curve_point(const Tube& tube, Unknowns q, double s);
 
 /// Interpolated director (1 or 2) of a beam at s.

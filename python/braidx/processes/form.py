@@ -59,6 +59,7 @@ class Former:
         contact.laws.friction = [0.0]
         contact.laws.gap_step = step.gap_reduction * radius
         contact.pairing.keep_side = False
+        contact.pairing.follow = False
         self._number = {
             "done": 0.0,
             "separated": 0.0,
@@ -140,6 +141,7 @@ class Former:
         if self._number["pressed"]:
             options = IncrementOptions(penetration=self._tolerance)
             self.model.contact.laws.gap_step = -1.0
+            self.model.contact.pairing.follow = True
         for retry in range(RETRIES + 1):
             self.model.set_viscosity(self._viscosity * 2**retry)
             try:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from ..contact.contact import Contact
 from ..system.constraints import Floats
 from ..system.terms import ProximalTerm
-from .newton import Newton
+from .newton import Newton, NewtonResult
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ class Incrementer:
                 break
             self.newton.system.update_pattern()
             self.newton.renew()
-            q, result = self.newton.solve(q)
+            q, result = self._solve_pairs(q)
             iterations += result.iterations
             solves += result.linear_solves
             if not result.converged:
@@ -112,3 +112,15 @@ class Incrementer:
                 raised = contact.adapt_stiffness(q, options.penetration)
         why = "penetration above tolerance" if raised else f"residual {residual:.1e} with new pairs"
         raise fail(f"pairing not consistent after {options.max_updates} contact updates ({why})")
+
+    def _solve_pairs(self, q: Floats) -> tuple[Floats, NewtonResult]:
+        """Newton for the current contact elements; where the exact tangent is indefinite, with a definite one."""
+        found, result = self.newton.solve(q)
+        if result.converged:
+            return found, result
+        self.contact.laws.sliding = False
+        try:
+            self.newton.renew()
+            return self.newton.solve(q)
+        finally:
+            self.contact.laws.sliding = True
