@@ -1,9 +1,10 @@
 """Forming: the equilibrium shape of a rope, found from interpenetrating helices (paper 1, 3).
 
 Cables under one constant tension are separated by the stacking order of their strands, gaps being reduced
-step by step (eq. 6). Then the penalty is raised until yarns hardly penetrate. At last the die, if any, is
-opened, and the rope comes to rest with consistent pairs and penetrations within the tolerance. A cable under
-constant tension has no material memory: until it rests, nodes are spread evenly before each increment.
+step by step (eq. 6), within a die if there is one. Once no yarn is on the wrong side and the deepest
+penetration is moderate, the die is opened and the penalty raised step by step until yarns hardly penetrate. At
+last the rope comes to rest with consistent pairs and penetrations within the tolerance. A cable under constant
+tension has no material memory: until it rests, nodes are spread evenly before each increment.
 """
 
 from __future__ import annotations
@@ -24,9 +25,11 @@ from .outcome import NotConverged, Outcome
 from .state import State
 
 STRETCH = 10.0  # axial stiffness over tension: holds nodes apart within an increment
-PRESSED = 0.06  # penetration over radius at which the die may open and nodes stay where they are
-RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once all yarns are separated
-RAISE_EVERY = 3
+OPENING = 0.7  # penetration over radius at which the die opens
+PRESSED = 0.06  # penetration over radius at which nodes are no longer spread
+RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once the die is open
+RAISE_EVERY = 4
+PASSING = (1e-2, 8)  # tolerance and iterations of Newton for states that are only passed through
 REST = 4  # increments that the rope is given to come to rest, with consistent pairs
 RETRIES = 4  # doublings of the viscosity before forming gives up
 SNAPSHOTS = 4  # pictures on the way
@@ -51,7 +54,7 @@ class Former:
         self.model, self.state, self.step = model, state, step
         scene, radius = model.scene, float(model.rope.radius.min())
         self._tolerance = scene.contact.penetration_tolerance * radius
-        self._pressed = PRESSED * radius
+        self._radius = radius
         element = scene.rope.pitch / scene.yarn.elements_per_pitch
         self._viscosity = step.viscosity * step.tension / element
         self._first_penalty = step.penalty * step.tension / radius**2
@@ -65,6 +68,7 @@ class Former:
             "separated": 0.0,
             "penalty": self._first_penalty,
             "raised": 0.0,
+            "opened": 0.0,
             "pressed": 0.0,
             "rested": 0.0,
             **state.progress,
@@ -132,16 +136,19 @@ class Former:
         contact.pairing.stiffness = number["penalty"]
         contact.pairing.crossing.by_point = bool(number["separated"])
         contact.rigid = []
-        if self.step.die_diameter and not number["pressed"]:
+        if self.step.die_diameter and not number["opened"]:
             axis = np.array([0.0, 0.0, 1.0])
             contact.rigid = [engine.make_cylinder(0 * axis, axis, self.step.die_diameter / 2, True, 0)]
 
     def _solve(self) -> Increment:
+        newton, contact = self.model.newton, self.model.contact
         options = IncrementOptions(max_updates=1, in_passing=True)
+        newton.tolerance, newton.max_iterations = PASSING
         if self._number["pressed"]:
             options = IncrementOptions(penetration=self._tolerance)
-            self.model.contact.laws.gap_step = -1.0
-            self.model.contact.pairing.follow = True
+            newton.restore_options()
+            contact.laws.gap_step = -1.0
+            contact.pairing.follow = True
         for retry in range(RETRIES + 1):
             self.model.set_viscosity(self._viscosity * 2**retry)
             try:
@@ -157,14 +164,15 @@ class Former:
 
     def _advance(self, increment: Increment) -> None:
         """What the next increment does: separate, raise the penalty, open the die, rest."""
-        number = self._number
+        number, depth = self._number, increment.penetration / self._radius
         if not number["separated"]:
             number["separated"] = float(wrong_side_crossings(self.model, increment.q) == 0)
+        elif not number["opened"]:
+            number["opened"] = float(depth < OPENING)
             number["raised"] = number["done"]
-            return
-        if number["pressed"]:
+        elif number["pressed"]:
             number["rested"] += 1
-        elif increment.penetration < self._pressed:
+        elif depth < PRESSED:
             number["pressed"] = 1.0
         elif number["done"] - number["raised"] >= RAISE_EVERY:
             number["penalty"] *= RAISE

@@ -106,7 +106,8 @@ class Incrementer:
             q, result = self._solve_pairs(q)
             iterations += result.iterations
             solves += result.linear_solves
-            if not result.converged:
+            passed = options.in_passing and result.exhausted
+            if not result.converged and not passed:
                 raise fail(f"Newton: {result.reason} after {result.iterations} iterations")
             if options.penetration is not None:
                 raised = contact.adapt_stiffness(q, options.penetration)
@@ -116,7 +117,7 @@ class Incrementer:
     def _solve_pairs(self, q: Floats) -> tuple[Floats, NewtonResult]:
         """Newton for the current contact elements; where the exact tangent is indefinite, with a definite one."""
         found, result = self.newton.solve(q)
-        if result.converged:
+        if result.converged or not self.contact.pairing.follow:
             return found, result
         self.contact.laws.sliding = False
         try:

@@ -44,9 +44,18 @@ class NewtonResult:
     residual: float
     reason: str
 
+    @property
+    def exhausted(self) -> bool:
+        """Whether it only ran out of iterations."""
+        return self.reason == "diverged max it"
+
 
 class Newton:
-    """Newton's method with line search for a global system."""
+    """Newton's method with line search for a global system.
+
+    Attributes:
+        tolerance, max_iterations: As in the options, unless loosened for states only passed through.
+    """
 
     def __init__(self, system: GlobalSystem, options: NewtonOptions, directors: np.ndarray) -> None:
         self.system = system
@@ -54,6 +63,11 @@ class Newton:
         self._is_director = directors[system.constraints.free]
         self._residual = system.vector.duplicate()
         self._snes: PETSc.SNES | None = None
+        self.restore_options()
+
+    def restore_options(self) -> None:
+        """Tolerance and number of iterations as the options say."""
+        self.tolerance, self.max_iterations = self.options.tolerance, self.options.max_iterations
 
     def renew(self) -> None:
         """Sets the solver up for the system's current matrix."""
@@ -64,7 +78,7 @@ class Newton:
         snes.setFunction(self._function, self._residual)
         snes.setJacobian(self._jacobian, self.system.matrix)
         snes.setConvergenceTest(self._test)
-        snes.setTolerances(max_it=self.options.max_iterations)
+        snes.setTolerances(max_it=10**6)  # _test decides
         snes.setLineSearchPreCheck(self._limit_step)
         ksp = snes.getKSP()
         ksp.setType("preonly")
@@ -122,9 +136,9 @@ class Newton:
         self._norm = norms[2]
         if not np.isfinite(self._norm):
             return PETSc.SNES.ConvergedReason.DIVERGED_FNORM_NAN
-        if self._relative() < self.options.tolerance:
+        if self._relative() < self.tolerance:
             return PETSc.SNES.ConvergedReason.CONVERGED_FNORM_RELATIVE
-        if iteration >= self.options.max_iterations:
+        if iteration >= self.max_iterations:
             return PETSc.SNES.ConvergedReason.DIVERGED_MAX_IT
         return PETSc.SNES.ConvergedReason.ITERATING
 
