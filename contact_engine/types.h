@@ -13,6 +13,8 @@ using Mat3 = Eigen::Matrix3d;
 using Unknowns = std::span<const double>;
 
 /// Three consecutive unknowns (a position or a director) as a vector.
-inline Vec3 vector_at(Unknowns q, std::int64_t first) { return Eigen::Map<const Vec3>(q.data() + first); }
+inline Vec3 vector_at(Unknowns q, std::int64_t first) {
+    return Eigen::Map<const Vec3>(q.data() + first);
+}
 
 } // namespace braidx

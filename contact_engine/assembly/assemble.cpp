@@ -39,8 +39,8 @@ Mat3 block(const Reaction& r, const FrictionGradient& friction, int i, int j) {
 
 } // namespace
 
-void add_residual(const std::vector<Tube>& tubes, const ContactElements& elements, Unknowns q, Unknowns q_start,
-                  const ContactLaws& laws, std::span<double> residual) {
+void add_residual(const std::vector<Tube>& tubes, const ContactElements& elements, Unknowns q,
+                  Unknowns q_start, const ContactLaws& laws, std::span<double> residual) {
     for (const auto& element : elements) {
         const Reaction r = reaction(tubes, element, q, q_start, laws);
         if (!r.acts())
@@ -48,12 +48,14 @@ void add_residual(const std::vector<Tube>& tubes, const ContactElements& element
         const auto& s = r.system;
         for (int i = 0; i < s.count; ++i)
             Eigen::Map<Vec3>(residual.data() + s.unknown[i]) +=
-                s.slip_weight[i] * r.friction_force - (r.normal_force * s.gap_weight[i]) * s.normal(i);
+                s.slip_weight[i] * r.friction_force -
+                (r.normal_force * s.gap_weight[i]) * s.normal(i);
     }
 }
 
-void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements, const Pattern& pattern, Unknowns q,
-                 Unknowns q_start, const ContactLaws& laws, FrictionTangent tangent, std::span<double> values) {
+void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements,
+                 const Pattern& pattern, Unknowns q, Unknowns q_start, const ContactLaws& laws,
+                 FrictionTangent tangent, std::span<double> values) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
         const Reaction r = reaction(tubes, elements[e], q, q_start, laws);
         if (!r.acts())
@@ -63,15 +65,16 @@ void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements
         std::optional<Sliding> sliding;
         if (laws.sliding && system.facing.distance > 0)
             sliding.emplace(tubes, elements[e], q, system);
-        // Unknowns that came in as sections moved on have no place in the pattern yet: Newton does without.
+        // Unknowns that came in as sections moved on have no place in the pattern yet: Newton does
+        // without.
         const std::int32_t* slot = pattern.slot.data() + pattern.first_slot[e];
         for (int i = 0; i < system.count_frozen; ++i)
             for (int j = 0; j < system.count_frozen; ++j) {
                 Mat3 part = block(r, friction, i, j);
                 if (sliding)
                     part -= r.normal_force * sliding->block(i, j);
-                Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values.data() + 9 * std::int64_t{*slot++}) +=
-                    part;
+                Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
+                    values.data() + 9 * std::int64_t{*slot++}) += part;
             }
     }
 }

@@ -7,15 +7,19 @@
 
 namespace braidx {
 
-/// Which tangent of friction: the exact one, not symmetric, or its symmetric part without the coupling to R_N.
+/// Which tangent of friction: the exact one, not symmetric, or its symmetric part without the
+/// coupling to R_N.
 enum class FrictionTangent { consistent, symmetric };
 
-/// Adds the contact forces' residual (the gradient of the energy: minus the forces on the unknowns, N).
-void add_residual(const std::vector<Tube>& tubes, const ContactElements& elements, Unknowns q, Unknowns q_start,
-                  const ContactLaws& laws, std::span<double> residual);
+/// Adds the contact forces' residual (the gradient of the energy: minus the forces on the unknowns,
+/// N).
+void add_residual(const std::vector<Tube>& tubes, const ContactElements& elements, Unknowns q,
+                  Unknowns q_start, const ContactLaws& laws, std::span<double> residual);
 
-/// Adds the derivative of the residual to the blocks of the pattern, nine values per block, row by row.
-void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements, const Pattern& pattern, Unknowns q,
-                 Unknowns q_start, const ContactLaws& laws, FrictionTangent tangent, std::span<double> values);
+/// Adds the derivative of the residual to the blocks of the pattern, nine values per block, row by
+/// row.
+void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements,
+                 const Pattern& pattern, Unknowns q, Unknowns q_start, const ContactLaws& laws,
+                 FrictionTangent tangent, std::span<double> values);
 
 } // namespace braidx

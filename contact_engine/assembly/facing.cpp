@@ -7,10 +7,12 @@
 namespace braidx {
 namespace {
 
-constexpr double furthest = 1.5; // elements that sections may move before the contact elements are made anew
+constexpr double furthest =
+    1.5; // elements that sections may move before the contact elements are made anew
 
 std::optional<Station> follow(const TubePair& pair, const ContactElement& e) {
-    const double arc_a = e.s_a * pair.a.element_length, arc_b = e.s_b * pair.b.element_length, o = pair.orientation;
+    const double arc_a = e.s_a * pair.a.element_length, arc_b = e.s_b * pair.b.element_length,
+                 o = pair.orientation;
     Station out{};
     if (e.station == point_station) {
         const auto at = pair.closest(arc_a, arc_b);
@@ -22,7 +24,8 @@ std::optional<Station> follow(const TubePair& pair, const ContactElement& e) {
         const auto half_difference = pair.facing(mean, 0.5 * (arc_a - o * arc_b));
         if (!half_difference)
             return std::nullopt;
-        out = pair.station(mean + *half_difference, o * (mean - *half_difference), e.weight, e.station);
+        out = pair.station(mean + *half_difference, o * (mean - *half_difference), e.weight,
+                           e.station);
     }
     const bool near = std::abs(out.s_a - e.s_a) < furthest && std::abs(out.s_b - e.s_b) < furthest;
     return near ? std::optional(out) : std::nullopt;

@@ -4,11 +4,13 @@
 
 namespace braidx {
 
-/// Where a contact element stands for given unknowns: sections, normal and distance of the centre lines.
+/// Where a contact element stands for given unknowns: sections, normal and distance of the centre
+/// lines.
 ///
-/// Line elements keep their mean arc length and stay on a plane normal to the mean tangent; point elements stay
-/// at the closest approach. Either way the distance does not change at first order when the sections move, so
-/// that its gradient is that of fixed sections, and only its second derivative knows of their motion.
+/// Line elements keep their mean arc length and stay on a plane normal to the mean tangent; point
+/// elements stay at the closest approach. Either way the distance does not change at first order
+/// when the sections move, so that its gradient is that of fixed sections, and only its second
+/// derivative knows of their motion.
 struct Facing {
     double s_a, s_b;
     Vec3 normal;     ///< unit, from a to b, on the element's side

@@ -6,8 +6,10 @@
 namespace braidx {
 namespace {
 
-/// Adds a side's material particle, at the element's own section: unknowns in the order of the pattern.
-void add_particle(LocalSystem& system, const Tube& tube, double s, const double (&xi)[2], bool of_b, Unknowns q) {
+/// Adds a side's material particle, at the element's own section: unknowns in the order of the
+/// pattern.
+void add_particle(LocalSystem& system, const Tube& tube, double s, const double (&xi)[2], bool of_b,
+                  Unknowns q) {
     const double sign = of_b ? 1 : -1;
     const auto add = [&](std::int64_t unknown, double weight) {
         const int i = system.count++;
@@ -27,8 +29,8 @@ void add_particle(LocalSystem& system, const Tube& tube, double s, const double 
             add(tube.unknown_of(section.node[i]) + 3 * (which + 1), xi[which] * section.weight[i]);
 }
 
-/// Adds a side's part of the gap: the centre line at s, where it faces the other side; the half width at the
-/// element's own section, own_s.
+/// Adds a side's part of the gap: the centre line at s, where it faces the other side; the half
+/// width at the element's own section, own_s.
 void add_gap(LocalSystem& system, const Tube& tube, double s, double own_s, bool of_b, Unknowns q) {
     const Vec3& normal = system.facing.normal;
     const double sign = of_b ? 1 : -1;
@@ -44,20 +46,24 @@ void add_gap(LocalSystem& system, const Tube& tube, double s, double own_s, bool
     }
     const Support section = element_support(tube, own_s);
     const Vec3& own = system.own_normal;
-    const double c1 = director(tube, q, section, 1).dot(own), c2 = director(tube, q, section, 2).dot(own);
+    const double c1 = director(tube, q, section, 1).dot(own),
+                 c2 = director(tube, q, section, 2).dot(own);
     const double norm = std::max(std::hypot(c1, c2), 1e-12);
     const double along[2] = {c1 / norm, c2 / norm}, across[2] = {-c2 / norm, c1 / norm};
     system.gap -= tube.radius * norm;
     for (int which = 0; which < 2; ++which)
         for (int i = 0; i < section.count; ++i) {
-            const int at = system.index_of(tube.unknown_of(section.node[i]) + 3 * (which + 1), of_b);
+            const int at =
+                system.index_of(tube.unknown_of(section.node[i]) + 3 * (which + 1), of_b);
             system.is_director[at] = true;
             system.gap_weight[at] = -tube.radius * along[which] * section.weight[i];
-            system.spin_weight[at] = std::sqrt(tube.radius / norm) * across[which] * section.weight[i];
+            system.spin_weight[at] =
+                std::sqrt(tube.radius / norm) * across[which] * section.weight[i];
         }
 }
 
-LocalSystem system_at(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q, const Facing& where) {
+LocalSystem system_at(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q,
+                      const Facing& where) {
     LocalSystem system;
     system.facing = where;
     system.own_normal = e.normal;

@@ -8,22 +8,26 @@ namespace braidx {
 
 /// A contact element as a linear combination of vector unknowns X_i (positions and directors):
 ///
-///   d(gap)    = sum_i gap_weight_i N_i . dX_i    (N_i: of positions the normal that follows, of directors the
+///   d(gap)    = sum_i gap_weight_i N_i . dX_i    (N_i: of positions the normal that follows, of
+///   directors the
 ///                                                 element's own, frozen one)
 ///   x_b - x_a = sum_i slip_weight_i X_i          (material particles, on which friction acts)
-///   d2(gap)   = - sum_side (sum_{i in side} spin_weight_i N_i . dX_i)^2 + the sliding of sections (sliding.h)
+///   d2(gap)   = - sum_side (sum_{i in side} spin_weight_i N_i . dX_i)^2 + the sliding of sections
+///   (sliding.h)
 ///
-/// The half width of a beam's section along N is h(N) = r sqrt((g1.N)^2 + (g2.N)^2): a spinning round section
-/// leaves the gap unchanged, and h's second derivative is the first part of the last line.
+/// The half width of a beam's section along N is h(N) = r sqrt((g1.N)^2 + (g2.N)^2): a spinning
+/// round section leaves the gap unchanged, and h's second derivative is the first part of the last
+/// line.
 struct LocalSystem {
     static constexpr int capacity = 36;
     using Weights = std::array<double, capacity>;
     using Numbers = std::array<std::int64_t, capacity>;
 
-    int count_a = 0;      ///< unknowns [0, count_a) belong to a
-    int count_frozen = 0; ///< [count_a, count_frozen) to b; all of these support the element's own sections
-    int count = 0;        ///< the rest came in as the sections moved on
-    Numbers unknown{};    ///< engine number of the first component
+    int count_a = 0; ///< unknowns [0, count_a) belong to a
+    int count_frozen =
+        0; ///< [count_a, count_frozen) to b; all of these support the element's own sections
+    int count = 0;     ///< the rest came in as the sections moved on
+    Numbers unknown{}; ///< engine number of the first component
     std::array<bool, capacity> of_b{}, is_director{};
     Weights gap_weight{}, slip_weight{}, spin_weight{};
     double gap = 0;                 ///< mm, negative = penetration
@@ -44,6 +48,7 @@ struct LocalSystem {
 LocalSystem local_system(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q);
 
 /// Only x_b - x_a of the material particles and the gap at the element's own sections.
-LocalSystem frozen_system(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q);
+LocalSystem frozen_system(const std::vector<Tube>& tubes, const ContactElement& element,
+                          Unknowns q);
 
 } // namespace braidx

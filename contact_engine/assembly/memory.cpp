@@ -5,8 +5,8 @@
 
 namespace braidx {
 
-Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q, Unknowns q_start,
-            const ContactLaws& laws) {
+Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
+                 Unknowns q_start, const ContactLaws& laws) {
     Committed out;
     for (auto& element : elements) {
         const Reaction r = reaction(tubes, element, q, q_start, laws);
@@ -26,8 +26,8 @@ Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unkn
     return out;
 }
 
-int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q, double tolerance,
-                    double growth) {
+int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
+                    double tolerance, double growth) {
     std::unordered_map<std::int32_t, double> deepest;
     for (const auto& e : elements) {
         auto& d = deepest[e.zone];
@@ -36,7 +36,8 @@ int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, U
     for (auto& e : elements)
         if (const double ratio = deepest[e.zone] / tolerance; ratio > 1)
             e.stiffness *= std::min(growth, 1.2 * ratio);
-    return static_cast<int>(std::ranges::count_if(deepest, [&](const auto& d) { return d.second > tolerance; }));
+    return static_cast<int>(
+        std::ranges::count_if(deepest, [&](const auto& d) { return d.second > tolerance; }));
 }
 
 } // namespace braidx

@@ -11,7 +11,8 @@ namespace {
 using Unknown = std::array<std::int64_t, LocalSystem::capacity>;
 
 /// Vector unknowns of a contact element, in the order of local_system.
-int vector_unknowns(const std::vector<Tube>& tubes, const ContactElement& element, Unknown& unknown) {
+int vector_unknowns(const std::vector<Tube>& tubes, const ContactElement& element,
+                    Unknown& unknown) {
     int count = 0;
     const auto add_side = [&](const Tube& tube, double s) {
         const Support centre = contact_support(tube, s);
@@ -39,12 +40,14 @@ Pattern make_pattern(const std::vector<Tube>& tubes, const ContactElements& elem
     int last_count = -1;
     for (const auto& element : elements) {
         const int count = vector_unknowns(tubes, element, current);
-        if (count != last_count || !std::equal(current.begin(), current.begin() + count, last.begin())) {
+        if (count != last_count ||
+            !std::equal(current.begin(), current.begin() + count, last.begin())) {
             last = current;
             last_count = count;
             for (int i = 0; i < count; ++i)
                 for (int j = 0; j < count; ++j)
-                    keys.push_back(std::uint64_t(current[i] / 3) << 32 | std::uint64_t(current[j] / 3));
+                    keys.push_back(std::uint64_t(current[i] / 3) << 32 |
+                                   std::uint64_t(current[j] / 3));
         }
         out.first_slot.push_back(static_cast<std::int64_t>(keys.size()) - count * count);
     }
@@ -53,7 +56,8 @@ Pattern make_pattern(const std::vector<Tube>& tubes, const ContactElements& elem
     unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
     out.slot.reserve(keys.size());
     for (const auto key : keys)
-        out.slot.push_back(static_cast<std::int32_t>(std::ranges::lower_bound(unique, key) - unique.begin()));
+        out.slot.push_back(
+            static_cast<std::int32_t>(std::ranges::lower_bound(unique, key) - unique.begin()));
     for (const auto key : unique) {
         out.row.push_back(3 * static_cast<std::int64_t>(key >> 32));
         out.col.push_back(3 * static_cast<std::int64_t>(key & 0xffffffffu));

@@ -8,12 +8,14 @@ namespace braidx {
 
 /// Unique 3x3 blocks of the contact tangent, and where each contact element adds to them.
 struct Pattern {
-    std::vector<std::int64_t> row, col;   ///< engine numbers of the first unknowns of each block
-    std::vector<std::int32_t> slot;       ///< block of every pair of vector unknowns, groups one after another
+    std::vector<std::int64_t> row, col; ///< engine numbers of the first unknowns of each block
+    std::vector<std::int32_t>
+        slot; ///< block of every pair of vector unknowns, groups one after another
     std::vector<std::int64_t> first_slot; ///< per contact element: where its group begins in `slot`
 };
 
-/// Contact elements on the same finite elements share a group, so that a zone costs little more than one element.
+/// Contact elements on the same finite elements share a group, so that a zone costs little more
+/// than one element.
 Pattern make_pattern(const std::vector<Tube>& tubes, const ContactElements& elements);
 
 } // namespace braidx

@@ -2,8 +2,8 @@
 
 namespace braidx {
 
-Reaction reaction(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q, Unknowns q_start,
-                  const ContactLaws& laws) {
+Reaction reaction(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q,
+                  Unknowns q_start, const ContactLaws& laws) {
     Reaction out{.system = local_system(tubes, element, q), .friction = {0, laws.reversible_slip}};
     double gap = out.system.gap;
     const double mu = laws.coefficient(tubes[element.tube_a].body, element.body_b);

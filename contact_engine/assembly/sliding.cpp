@@ -6,8 +6,8 @@ namespace braidx {
 namespace {
 
 /// Adds weights and slopes (per mm) of a side's centre line to the places of its unknowns.
-void add_side(const Tube& tube, double s, double sign, LocalSystem system, LocalSystem::Weights& centre,
-              LocalSystem::Weights& slope) {
+void add_side(const Tube& tube, double s, double sign, LocalSystem system,
+              LocalSystem::Weights& centre, LocalSystem::Weights& slope) {
     const Support support = contact_support(tube, s);
     for (int i = 0; i < support.count; ++i) {
         const int at = system.index_of(tube.unknown_of(support.node[i]), sign > 0);
@@ -18,7 +18,8 @@ void add_side(const Tube& tube, double s, double sign, LocalSystem system, Local
 
 } // namespace
 
-Sliding::Sliding(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q, const LocalSystem& system) {
+Sliding::Sliding(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q,
+                 const LocalSystem& system) {
     const Tube &a = tubes[element.tube_a], &b = tubes[element.tube_b];
     const Facing& at = system.facing;
     add_side(a, at.s_a, -1, system, centre_, slope_a_);
@@ -47,7 +48,8 @@ Sliding::Sliding(const std::vector<Tube>& tubes, const ContactElement& element, 
     }
 }
 
-/// Solves aa da - ab db = row_a, ab da - bb db = row_b for the motions of the sections of a point element.
+/// Solves aa da - ab db = row_a, ab da - bb db = row_b for the motions of the sections of a point
+/// element.
 void Sliding::solve(int count, double aa, double ab, double bb) {
     const double determinant = ab * ab - aa * bb;
     for (int i = 0; i < count; ++i) {

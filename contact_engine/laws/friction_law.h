@@ -6,12 +6,15 @@ namespace braidx {
 
 /// Regularised friction (paper 1, eq. 5): reversible up to reversible_slip, sliding beyond.
 struct FrictionLaw {
-    double coefficient;      ///< mu
-    double reversible_slip;  ///< g_rev,max, mm
+    double coefficient;     ///< mu
+    double reversible_slip; ///< g_rev,max, mm
 
-    bool slides(const Vec3& slip) const { return slip.squaredNorm() > reversible_slip * reversible_slip; }
+    bool slides(const Vec3& slip) const {
+        return slip.squaredNorm() > reversible_slip * reversible_slip;
+    }
 
-    /// Traction on a (opposed on b) per unit of normal force, for the tangential slip of b against a.
+    /// Traction on a (opposed on b) per unit of normal force, for the tangential slip of b against
+    /// a.
     Vec3 direction(const Vec3& slip) const {
         return coefficient * slip / (slides(slip) ? slip.norm() : reversible_slip);
     }

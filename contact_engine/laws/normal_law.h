@@ -5,10 +5,11 @@
 
 namespace braidx {
 
-/// Regularised penalty (paper 1, eq. 4): normal reaction R_N >= 0 against the gap (negative = penetration).
+/// Regularised penalty (paper 1, eq. 4): normal reaction R_N >= 0 against the gap (negative =
+/// penetration).
 struct NormalLaw {
-    double stiffness;       ///< k_c, N/mm
-    double regularisation;  ///< p_reg, mm: quadratic up to this penetration, linear beyond
+    double stiffness;      ///< k_c, N/mm
+    double regularisation; ///< p_reg, mm: quadratic up to this penetration, linear beyond
 
     double energy(double gap) const {
         if (gap >= 0)
@@ -33,8 +34,9 @@ struct NormalLaw {
     }
 };
 
-/// Gap reduction (paper 1, eq. 6, with the sign its text means): an element that starts an increment at
-/// gap_initial < 0 is asked to open by `step` at most. A negative step switches the reduction off.
+/// Gap reduction (paper 1, eq. 6, with the sign its text means): an element that starts an
+/// increment at gap_initial < 0 is asked to open by `step` at most. A negative step switches the
+/// reduction off.
 inline double reduced_gap(double gap, double gap_initial, double step) {
     return step < 0 ? gap : gap - std::min(0.0, gap_initial + step);
 }

@@ -9,27 +9,31 @@ namespace braidx {
 /// A pair of particles predicted to meet (paper 1, 2.3.1), with its frozen normal and its memory.
 struct ContactElement {
     std::int32_t tube_a;
-    std::int32_t tube_b;         ///< or -1 - number of a rigid surface
-    int body_b = 0;              ///< body of b, for friction per pair of bodies
-    double s_a, s_b;             ///< material coordinates of both sections, in elements
-    std::int64_t station;        ///< identity along the pair of tubes, see stations.h
-    Vec3 normal;                 ///< unit, from a to b; of an element that follows: when it was made
-    int follows = 0;             ///< 0: sections and normal are frozen; +1, -1: they follow the tubes, which run
-                                 ///< the same way (+1) or opposite ways (-1), see assembly/facing.h
-    double weight;               ///< length of the contact line it stands for, mm
-    double stiffness;            ///< penalty per length, N/mm per mm; equal within a proximity zone
-    double xi_a[2] = {0, 0};     ///< transverse coordinates of the surface particles (beams), mm
+    std::int32_t tube_b;  ///< or -1 - number of a rigid surface
+    int body_b = 0;       ///< body of b, for friction per pair of bodies
+    double s_a, s_b;      ///< material coordinates of both sections, in elements
+    std::int64_t station; ///< identity along the pair of tubes, see stations.h
+    Vec3 normal;          ///< unit, from a to b; of an element that follows: when it was made
+    int follows = 0; ///< 0: sections and normal are frozen; +1, -1: they follow the tubes, which
+                     ///< run the same way (+1) or opposite ways (-1), see assembly/facing.h
+    double weight;           ///< length of the contact line it stands for, mm
+    double stiffness;        ///< penalty per length, N/mm per mm; equal within a proximity zone
+    double xi_a[2] = {0, 0}; ///< transverse coordinates of the surface particles (beams), mm
     double xi_b[2] = {0, 0};
-    Vec3 slip = Vec3::Zero();    ///< remembered reversible slip of b against a, mm
-    double work = 0;             ///< work dissipated by friction so far, N mm = mJ
+    Vec3 slip = Vec3::Zero();       ///< remembered reversible slip of b against a, mm
+    double work = 0;                ///< work dissipated by friction so far, N mm = mJ
     Vec3 wall = Vec3::Zero();       ///< particle of a rigid surface b now, mm
     Vec3 wall_start = Vec3::Zero(); ///< and when the increment started
-    double allowance = 0;        ///< added to the gap: sections of a crossing that do not face each other, mm
-    std::int32_t zone = -1;      ///< number of the proximity zone
-    std::int32_t crossing = -1;  ///< crossing whose stacking order gives the normal, -1: geometry does
+    double allowance =
+        0; ///< added to the gap: sections of a crossing that do not face each other, mm
+    std::int32_t zone = -1; ///< number of the proximity zone
+    std::int32_t crossing =
+        -1; ///< crossing whose stacking order gives the normal, -1: geometry does
 };
 
-inline bool against_rigid(const ContactElement& element) { return element.tube_b < 0; }
+inline bool against_rigid(const ContactElement& element) {
+    return element.tube_b < 0;
+}
 
 using ContactElements = std::vector<ContactElement>;
 

@@ -6,15 +6,20 @@
 namespace braidx {
 namespace {
 
-double middle_a(const Crossing& c) { return 0.5 * (c.low_a + c.high_a); }
-double middle_b(const Crossing& c) { return 0.5 * (c.low_b + c.high_b); }
+double middle_a(const Crossing& c) {
+    return 0.5 * (c.low_a + c.high_a);
+}
+double middle_b(const Crossing& c) {
+    return 0.5 * (c.low_b + c.high_b);
+}
 
 Vec3 middle(const TubePair& pair, double arc_a, double arc_b) {
     return 0.5 * (position(pair.a, pair.q, arc_a / pair.a.element_length) +
                   position(pair.b, pair.q, arc_b / pair.b.element_length));
 }
 
-/// Radial direction that the order asks for, made normal to the mean tangent: contact must not drag nodes along.
+/// Radial direction that the order asks for, made normal to the mean tangent: contact must not drag
+/// nodes along.
 Vec3 oriented_normal(const TubePair& pair, const Crossing& c, double arc_a, double arc_b) {
     const Vec3 ta = curve_point(pair.a, pair.q, arc_a / pair.a.element_length).tangent;
     const Vec3 tb = curve_point(pair.b, pair.q, arc_b / pair.b.element_length).tangent;
@@ -24,7 +29,8 @@ Vec3 oriented_normal(const TubePair& pair, const Crossing& c, double arc_a, doub
 }
 
 /// The pair seen along the crossing's normal at rest arc lengths (mm).
-TubePair seen_along_normal(const std::vector<Tube>& tubes, Unknowns q, const Crossing& c, double arc_a, double arc_b) {
+TubePair seen_along_normal(const std::vector<Tube>& tubes, Unknowns q, const Crossing& c,
+                           double arc_a, double arc_b) {
     const Tube &a = tubes[c.tube_a], &b = tubes[c.tube_b];
     const Vec3 ta = curve_point(a, q, arc_a / a.element_length).tangent;
     const Vec3 tb = curve_point(b, q, arc_b / b.element_length).tangent;
@@ -35,7 +41,8 @@ TubePair seen_along_normal(const std::vector<Tube>& tubes, Unknowns q, const Cro
 }
 
 OrientedStation orient(const TubePair& pair, const Crossing& c, const Station& s) {
-    const Vec3 normal = oriented_normal(pair, c, s.s_a * pair.a.element_length, s.s_b * pair.b.element_length);
+    const Vec3 normal =
+        oriented_normal(pair, c, s.s_a * pair.a.element_length, s.s_b * pair.b.element_length);
     const Vec3 across = pair.across(s);
     const double touch = pair.a.radius + pair.b.radius;
     const double lateral = std::min(touch, (across - across.dot(normal) * normal).norm());
@@ -43,20 +50,24 @@ OrientedStation orient(const TubePair& pair, const Crossing& c, const Station& s
 }
 
 /// Where the centre lines cross, seen along the normal; the normal follows the place.
-std::optional<Station> point_where_they_cross(const std::vector<Tube>& tubes, Unknowns q, const Crossing& c,
-                                              double weight) {
+std::optional<Station> point_where_they_cross(const std::vector<Tube>& tubes, Unknowns q,
+                                              const Crossing& c, double weight) {
     std::pair<double, double> arc{middle_a(c), middle_b(c)};
     for (int look = 0; look < 3; ++look) {
-        const auto at = seen_along_normal(tubes, q, c, arc.first, arc.second).closest(arc.first, arc.second);
+        const auto at =
+            seen_along_normal(tubes, q, c, arc.first, arc.second).closest(arc.first, arc.second);
         if (!at || !c.contains(at->first, at->second))
             return std::nullopt;
         arc = *at;
     }
-    return seen_along_normal(tubes, q, c, arc.first, arc.second).station(arc.first, arc.second, weight, point_station);
+    return seen_along_normal(tubes, q, c, arc.first, arc.second)
+        .station(arc.first, arc.second, weight, point_station);
 }
 
-/// Line stations in the windows; the half difference and the normal are followed from one to the next.
-std::vector<Station> stations_along(const std::vector<Tube>& tubes, Unknowns q, const Crossing& c, double spacing) {
+/// Line stations in the windows; the half difference and the normal are followed from one to the
+/// next.
+std::vector<Station> stations_along(const std::vector<Tube>& tubes, Unknowns q, const Crossing& c,
+                                    double spacing) {
     std::vector<Station> out;
     auto pair = seen_along_normal(tubes, q, c, middle_a(c), middle_b(c));
     const double o = pair.orientation;
@@ -70,7 +81,8 @@ std::vector<Station> stations_along(const std::vector<Tube>& tubes, Unknowns q, 
             continue;
         // Past the axis the other side of the rope faces: no business of this crossing.
         const Vec3 at_a = c.normal(position(pair.a, q, (mean + *found) / pair.a.element_length));
-        const Vec3 at_b = c.normal(position(pair.b, q, o * (mean - *found) / pair.b.element_length));
+        const Vec3 at_b =
+            c.normal(position(pair.b, q, o * (mean - *found) / pair.b.element_length));
         if (at_a.dot(at_b) < 0.85)
             continue;
         half_difference = *found;
@@ -81,8 +93,9 @@ std::vector<Station> stations_along(const std::vector<Tube>& tubes, Unknowns q, 
 
 } // namespace
 
-std::vector<OrientedStation> crossing_stations(const std::vector<Tube>& tubes, Unknowns q, const Crossing& crossing,
-                                               double spacing, const CrossingOptions& options) {
+std::vector<OrientedStation> crossing_stations(const std::vector<Tube>& tubes, Unknowns q,
+                                               const Crossing& crossing, double spacing,
+                                               const CrossingOptions& options) {
     const auto point = point_where_they_cross(tubes, q, crossing, spacing);
     if (options.by_point && !point)
         return {};
@@ -99,14 +112,16 @@ std::vector<OrientedStation> crossing_stations(const std::vector<Tube>& tubes, U
             continue;
         out.push_back(oriented);
         if (!options.by_point || s.index == point_station)
-            separated &= pair.across(s).dot(oriented.normal) > options.separation * (touch - oriented.allowance);
+            separated &= pair.across(s).dot(oriented.normal) >
+                         options.separation * (touch - oriented.allowance);
     }
     if (separated)
         out.clear();
     return out;
 }
 
-std::optional<double> crossing_height(const std::vector<Tube>& tubes, Unknowns q, const Crossing& crossing) {
+std::optional<double> crossing_height(const std::vector<Tube>& tubes, Unknowns q,
+                                      const Crossing& crossing) {
     const auto point = point_where_they_cross(tubes, q, crossing, 0);
     if (!point)
         return std::nullopt;

@@ -28,7 +28,8 @@ const ContactElement* History::predecessor(const ContactElement& element, double
 }
 
 void inherit(ContactElement& element, const ContactElement& predecessor, bool keep_side) {
-    if (keep_side && element.crossing < 0 && !against_rigid(element) && element.normal.dot(predecessor.normal) < 0)
+    if (keep_side && element.crossing < 0 && !against_rigid(element) &&
+        element.normal.dot(predecessor.normal) < 0)
         element.normal = -element.normal;
     const double length = predecessor.slip.norm();
     if (length > 0) {

@@ -21,7 +21,8 @@ void face(const Tube& tube, Unknowns q, double s, const Vec3& direction, double 
     if (!tube.has_directors())
         return;
     const auto support = element_support(tube, s);
-    const double c1 = director(tube, q, support, 1).dot(direction), c2 = director(tube, q, support, 2).dot(direction);
+    const double c1 = director(tube, q, support, 1).dot(direction),
+                 c2 = director(tube, q, support, 2).dot(direction);
     const double norm = std::max(std::hypot(c1, c2), 1e-12);
     xi[0] = tube.radius * c1 / norm;
     xi[1] = tube.radius * c2 / norm;
@@ -29,17 +30,29 @@ void face(const Tube& tube, Unknowns q, double s, const Vec3& direction, double 
 
 /// Makes the contact elements of one zone or crossing and gives them one penalty.
 class Builder {
-  public:
-    Builder(const Tubes& tubes, Unknowns q, const ContactElements& previous, const PairingOptions& options)
+public:
+    Builder(const Tubes& tubes, Unknowns q, const ContactElements& previous,
+            const PairingOptions& options)
         : tubes_(tubes), q_(q), options_(options), history_(previous, tubes) {}
 
-    void add_zone(std::int32_t a, std::int32_t b, int orientation, const std::vector<Station>& stations) {
-        const auto inside = [&](std::int32_t t, double s) { return s > 0 && s < tubes_[t].num_elements; };
+    void add_zone(std::int32_t a, std::int32_t b, int orientation,
+                  const std::vector<Station>& stations) {
+        const auto inside = [&](std::int32_t t, double s) {
+            return s > 0 && s < tubes_[t].num_elements;
+        };
         const std::size_t first = elements.size();
         for (const auto& s : stations) {
-            const int follows = options_.follow && inside(a, s.s_a) && inside(b, s.s_b) ? orientation : 0;
-            add({.tube_a = a, .tube_b = b, .s_a = s.s_a, .s_b = s.s_b, .station = s.index,
-                 .normal = centre_to_centre(a, b, s), .follows = follows, .weight = s.weight, .stiffness = 0});
+            const int follows =
+                options_.follow && inside(a, s.s_a) && inside(b, s.s_b) ? orientation : 0;
+            add({.tube_a = a,
+                 .tube_b = b,
+                 .s_a = s.s_a,
+                 .s_b = s.s_b,
+                 .station = s.index,
+                 .normal = centre_to_centre(a, b, s),
+                 .follows = follows,
+                 .weight = s.weight,
+                 .stiffness = 0});
         }
         share_stiffness(first);
     }
@@ -56,18 +69,34 @@ class Builder {
             const auto wall = rigid.nearest(x);
             if ((x - wall.position).dot(wall.normal) > tube.radius + options_.search.margin)
                 continue;
-            add({.tube_a = a, .tube_b = -1 - number, .body_b = rigid.body, .s_a = s, .s_b = 0, .station = k,
-                 .normal = -wall.normal, .weight = spacing, .stiffness = 0, .wall = wall.position,
+            add({.tube_a = a,
+                 .tube_b = -1 - number,
+                 .body_b = rigid.body,
+                 .s_a = s,
+                 .s_b = 0,
+                 .station = k,
+                 .normal = -wall.normal,
+                 .weight = spacing,
+                 .stiffness = 0,
+                 .wall = wall.position,
                  .wall_start = rigid.at_start(wall.position)});
         }
         share_stiffness(first);
     }
 
-    void add_crossing(const Crossing& crossing, std::int32_t number, const std::vector<OrientedStation>& stations) {
+    void add_crossing(const Crossing& crossing, std::int32_t number,
+                      const std::vector<OrientedStation>& stations) {
         const std::size_t first = elements.size();
         for (const auto& [s, normal, allowance] : stations)
-            add({.tube_a = crossing.tube_a, .tube_b = crossing.tube_b, .s_a = s.s_a, .s_b = s.s_b,
-                 .station = s.index, .normal = normal, .weight = s.weight, .stiffness = 0, .allowance = allowance,
+            add({.tube_a = crossing.tube_a,
+                 .tube_b = crossing.tube_b,
+                 .s_a = s.s_a,
+                 .s_b = s.s_b,
+                 .station = s.index,
+                 .normal = normal,
+                 .weight = s.weight,
+                 .stiffness = 0,
+                 .allowance = allowance,
                  .crossing = number});
         share_stiffness(first);
     }
@@ -75,7 +104,7 @@ class Builder {
     ContactElements elements;
     const History& history() const { return history_; }
 
-  private:
+private:
     void add(ContactElement e) {
         e.zone = num_zones_;
         if (const auto* old = history_.predecessor(e, 4 * options_.spacing))
@@ -93,7 +122,8 @@ class Builder {
         const double length = d.norm();
         if (length > 1e-9 * tubes_[a].radius)
             return d / length;
-        const Vec3 t = curve_point(tubes_[a], q_, s.s_a).tangent; // coinciding centres: any normal will do
+        const Vec3 t =
+            curve_point(tubes_[a], q_, s.s_a).tangent; // coinciding centres: any normal will do
         return t.unitOrthogonal();
     }
 
@@ -115,10 +145,12 @@ class Builder {
     std::int32_t num_zones_ = 0;
 };
 
-/// Crossings not separated yet, by pair of tubes: there the stacking order rules, elsewhere geometry.
+/// Crossings not separated yet, by pair of tubes: there the stacking order rules, elsewhere
+/// geometry.
 using Unseparated = std::multimap<std::pair<std::int32_t, std::int32_t>, const Crossing*>;
 
-Unseparated add_crossings(Builder& builder, const Tubes& tubes, const std::vector<Crossing>& crossings, Unknowns q,
+Unseparated add_crossings(Builder& builder, const Tubes& tubes,
+                          const std::vector<Crossing>& crossings, Unknowns q,
                           const PairingOptions& options) {
     Unseparated out;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
@@ -136,18 +168,21 @@ Unseparated add_crossings(Builder& builder, const Tubes& tubes, const std::vecto
 
 bool covers(const ProximityZone& zone, const Station& s) {
     return std::ranges::any_of(zone.pairs, [&](const ElementPair& p) {
-        return std::abs(p.element_a + 0.5 - s.s_a) < 1.5 && std::abs(p.element_b + 0.5 - s.s_b) < 1.5;
+        return std::abs(p.element_a + 0.5 - s.s_a) < 1.5 &&
+               std::abs(p.element_b + 0.5 - s.s_b) < 1.5;
     });
 }
 
-/// Point stations of before stay while their closest approach exists, whether or not one would be made there now:
-/// stations that come and go with every update would keep the rope from coming to rest.
-void keep_points(std::vector<Station>& points, const TubePair& pair, const ProximityZone& zone, const History& history,
-                 double spacing) {
+/// Point stations of before stay while their closest approach exists, whether or not one would be
+/// made there now: stations that come and go with every update would keep the rope from coming to
+/// rest.
+void keep_points(std::vector<Station>& points, const TubePair& pair, const ProximityZone& zone,
+                 const History& history, double spacing) {
     history.for_each(zone.tube_a, zone.tube_b, [&](const ContactElement& old) {
         if (old.station != point_station)
             return;
-        const auto at = pair.closest(old.s_a * pair.a.element_length, old.s_b * pair.b.element_length);
+        const auto at =
+            pair.closest(old.s_a * pair.a.element_length, old.s_b * pair.b.element_length);
         if (!at)
             return;
         const auto kept = pair.station(at->first, at->second, old.weight, point_station);
@@ -159,8 +194,8 @@ void keep_points(std::vector<Station>& points, const TubePair& pair, const Proxi
     });
 }
 
-void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone, const Unseparated& unseparated,
-              Unknowns q, const PairingOptions& options) {
+void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone,
+              const Unseparated& unseparated, Unknowns q, const PairingOptions& options) {
     const TubePair pair{tubes[zone.tube_a], tubes[zone.tube_b], q, zone.orientation};
     auto stations = line_stations(pair, zone.pairs, options.spacing);
     auto points = point_stations(pair, stations, options.spacing, options.point_tolerance);
@@ -170,15 +205,17 @@ void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone, c
     const auto [first, last] = unseparated.equal_range({zone.tube_a, zone.tube_b});
     std::erase_if(stations, [&](const Station& s) {
         const double arc_a = s.s_a * pair.a.element_length, arc_b = s.s_b * pair.b.element_length;
-        return pair.across(s).norm() > reach ||
-               std::any_of(first, last, [&](const auto& c) { return c.second->contains(arc_a, arc_b); });
+        return pair.across(s).norm() > reach || std::any_of(first, last, [&](const auto& c) {
+                   return c.second->contains(arc_a, arc_b);
+               });
     });
     builder.add_zone(zone.tube_a, zone.tube_b, zone.orientation, stations);
 }
 
 } // namespace
 
-ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q, const ContactElements& previous,
+ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
+                                      const ContactElements& previous,
                                       const PairingOptions& options) {
     const auto& tubes = surfaces.tubes;
     Builder builder(tubes, q, previous, options);

@@ -10,12 +10,14 @@ namespace braidx {
 struct PairingOptions {
     SearchOptions search;
     CrossingOptions crossing;
-    double spacing = 1.0;           ///< of line stations, mm
-    double point_tolerance = 0.005; ///< approach that line stations may miss before a point station is added, mm
-    double stiffness = 1000;        ///< first penalty per length of a new zone, N/mm per mm
-    bool follow = true;             ///< sections and normals follow the tubes during Newton's iteration
-    bool keep_side = true;          ///< tubes never pass through each other; off while a shape is being found
-    int part = 0;                   ///< this process makes the pairs of tubes of one part
+    double spacing = 1.0; ///< of line stations, mm
+    double point_tolerance =
+        0.005; ///< approach that line stations may miss before a point station is added, mm
+    double stiffness = 1000; ///< first penalty per length of a new zone, N/mm per mm
+    bool follow = true;      ///< sections and normals follow the tubes during Newton's iteration
+    bool keep_side =
+        true;     ///< tubes never pass through each other; off while a shape is being found
+    int part = 0; ///< this process makes the pairs of tubes of one part
     int num_parts = 1;
 };
 
@@ -26,8 +28,10 @@ struct Surfaces {
     std::vector<Rigid> rigid;
 };
 
-/// Contact elements for the current configuration. Those of `previous` hand on slip, work, penalty and the side.
-ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q, const ContactElements& previous,
+/// Contact elements for the current configuration. Those of `previous` hand on slip, work, penalty
+/// and the side.
+ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
+                                      const ContactElements& previous,
                                       const PairingOptions& options);
 
 } // namespace braidx

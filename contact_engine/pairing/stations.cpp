@@ -9,8 +9,8 @@
 namespace braidx {
 namespace {
 
-/// Curve point at a rest arc length (mm). Past its ends a curve goes on straight, so that the cell in which a
-/// tube ends is cut at the section of the other tube that faces the end.
+/// Curve point at a rest arc length (mm). Past its ends a curve goes on straight, so that the cell
+/// in which a tube ends is cut at the section of the other tube that faces the end.
 CurvePoint extended_point(const Tube& tube, Unknowns q, double arc) {
     const double inside = std::clamp(arc, 0.0, tube.length());
     auto out = curve_point(tube, q, inside / tube.element_length);
@@ -38,7 +38,9 @@ std::optional<double> TubePair::facing(double mean, double half_difference) cons
 }
 
 std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double arc_b) const {
-    const auto inside = [](const Tube& tube, double arc) { return arc >= 0 && arc <= tube.length(); };
+    const auto inside = [](const Tube& tube, double arc) {
+        return arc >= 0 && arc <= tube.length();
+    };
     std::optional<std::pair<double, double>> best;
     double best_distance = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 30; ++iteration) {
@@ -46,7 +48,8 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
             return std::nullopt;
         const auto pa = curve_point(a, q, arc_a / a.element_length);
         const auto pb = curve_point(b, q, arc_b / b.element_length);
-        const Vec3 ta = metric * pa.tangent, tb = metric * pb.tangent, d = pb.position - pa.position;
+        const Vec3 ta = metric * pa.tangent, tb = metric * pb.tangent,
+                   d = pb.position - pa.position;
         const double aa = ta.squaredNorm(), bb = tb.squaredNorm(), ab = ta.dot(tb);
         if (const double distance = (metric * d).norm(); distance < best_distance) {
             best_distance = distance;
@@ -62,7 +65,8 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
         arc_a += step_a;
         arc_b += step_b;
         if (std::abs(step_a) + std::abs(step_b) < 1e-10 * limit)
-            return inside(a, arc_a) && inside(b, arc_b) ? std::optional(std::pair(arc_a, arc_b)) : std::nullopt;
+            return inside(a, arc_a) && inside(b, arc_b) ? std::optional(std::pair(arc_a, arc_b))
+                                                        : std::nullopt;
     }
     return best; // kinks, and curves that bend more than they cross, keep the steps jumping
 }
@@ -84,13 +88,14 @@ struct Guess {
     double half_difference;
 };
 
-std::map<std::int64_t, Guess> covered_cells(const TubePair& tubes, const std::vector<ElementPair>& pairs,
-                                            double spacing) {
+std::map<std::int64_t, Guess> covered_cells(const TubePair& tubes,
+                                            const std::vector<ElementPair>& pairs, double spacing) {
     const double ha = tubes.a.element_length, hb = tubes.b.element_length, o = tubes.orientation;
     std::map<std::int64_t, Guess> cells;
     for (const auto& p : pairs) {
         const double first = ha * p.element_a + o * hb * p.element_b;
-        const double low = 0.5 * (first + std::min(0.0, o * hb)), high = 0.5 * (first + ha + std::max(0.0, o * hb));
+        const double low = 0.5 * (first + std::min(0.0, o * hb)),
+                     high = 0.5 * (first + ha + std::max(0.0, o * hb));
         const double half_difference = 0.5 * (ha * p.s_a - o * hb * p.s_b);
         const auto last_cell = static_cast<std::int64_t>(std::ceil(high / spacing));
         for (auto k = static_cast<std::int64_t>(std::floor(low / spacing)); k < last_cell; ++k) {
@@ -103,16 +108,19 @@ std::map<std::int64_t, Guess> covered_cells(const TubePair& tubes, const std::ve
 }
 
 /// Part of a cell where both tubes exist, for a given half difference.
-std::pair<double, double> cut_at_ends(const TubePair& tubes, double low, double high, double half_difference) {
+std::pair<double, double> cut_at_ends(const TubePair& tubes, double low, double high,
+                                      double half_difference) {
     const double o = tubes.orientation, la = tubes.a.length(), lb = tubes.b.length();
     const double start_b = o > 0 ? half_difference : half_difference - lb;
     const double end_b = o > 0 ? half_difference + lb : half_difference;
-    return {std::max({low, -half_difference, start_b}), std::min({high, la - half_difference, end_b})};
+    return {std::max({low, -half_difference, start_b}),
+            std::min({high, la - half_difference, end_b})};
 }
 
 } // namespace
 
-std::vector<Station> line_stations(const TubePair& tubes, const std::vector<ElementPair>& pairs, double spacing) {
+std::vector<Station> line_stations(const TubePair& tubes, const std::vector<ElementPair>& pairs,
+                                   double spacing) {
     std::vector<Station> out;
     const double o = tubes.orientation;
     for (const auto& [k, guess] : covered_cells(tubes, pairs, spacing)) {
@@ -127,31 +135,35 @@ std::vector<Station> line_stations(const TubePair& tubes, const std::vector<Elem
         if (end - start < (1 - 1e-9) * spacing)
             difference = tubes.facing(middle, *difference);
         if (difference)
-            out.push_back(tubes.station(middle + *difference, o * (middle - *difference), end - start, k));
+            out.push_back(
+                tubes.station(middle + *difference, o * (middle - *difference), end - start, k));
     }
     return out;
 }
 
-std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Station>& line, double spacing,
-                                    double tolerance) {
+std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Station>& line,
+                                    double spacing, double tolerance) {
     std::vector<Station> out;
     std::vector<double> distance;
     for (const auto& s : line)
         distance.push_back((tubes.metric * tubes.across(s)).norm());
     for (std::size_t i = 0; i < line.size(); ++i) {
         const auto lower_than = [&](std::size_t j, std::int64_t step) {
-            return j >= line.size() || line[j].index != line[i].index + step || distance[i] < distance[j] ||
-                   (step < 0 && distance[i] == distance[j]);
+            return j >= line.size() || line[j].index != line[i].index + step ||
+                   distance[i] < distance[j] || (step < 0 && distance[i] == distance[j]);
         };
         if (!lower_than(i - 1, -1) || !lower_than(i + 1, 1))
             continue;
-        const Vec3 ta = (tubes.metric * curve_point(tubes.a, tubes.q, line[i].s_a).tangent).normalized();
-        const Vec3 tb = (tubes.metric * curve_point(tubes.b, tubes.q, line[i].s_b).tangent).normalized();
+        const Vec3 ta =
+            (tubes.metric * curve_point(tubes.a, tubes.q, line[i].s_a).tangent).normalized();
+        const Vec3 tb =
+            (tubes.metric * curve_point(tubes.b, tubes.q, line[i].s_b).tangent).normalized();
         const double cosine = std::abs(ta.dot(tb));
         const double sideways = spacing * spacing * (1 - cosine) / (1 + cosine);
         if (sideways < 2 * (tubes.a.radius + tubes.b.radius) * tolerance)
             continue;
-        const auto at = tubes.closest(line[i].s_a * tubes.a.element_length, line[i].s_b * tubes.b.element_length);
+        const auto at = tubes.closest(line[i].s_a * tubes.a.element_length,
+                                      line[i].s_b * tubes.b.element_length);
         if (at && std::abs(at->first - line[i].s_a * tubes.a.element_length) < 3 * spacing)
             out.push_back(tubes.station(at->first, at->second, spacing, point_station));
     }

@@ -31,7 +31,9 @@ std::vector<Segment> segments_of(const std::vector<Tube>& tubes, Unknowns q) {
     std::vector<Segment> out;
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(tubes.size()); ++t)
         for (std::int32_t e = 0; e < tubes[t].num_elements; ++e) {
-            const auto at = [&](std::int32_t node) { return vector_at(q, tubes[t].unknown_of(node)); };
+            const auto at = [&](std::int32_t node) {
+                return vector_at(q, tubes[t].unknown_of(node));
+            };
             out.push_back({t, e, at(e * tubes[t].degree), at((e + 1) * tubes[t].degree)});
         }
     return out;
@@ -41,7 +43,8 @@ double reach(const std::vector<Tube>& tubes, const Segment& a, const Segment& b,
     return tubes[a.tube].radius + tubes[b.tube].radius + margin;
 }
 
-bool neighbours(const std::vector<Tube>& tubes, const Segment& a, const Segment& b, double self_exclusion) {
+bool neighbours(const std::vector<Tube>& tubes, const Segment& a, const Segment& b,
+                double self_exclusion) {
     if (a.tube != b.tube)
         return false;
     const Tube& tube = tubes[a.tube];
@@ -49,9 +52,10 @@ bool neighbours(const std::vector<Tube>& tubes, const Segment& a, const Segment&
     return apart < self_exclusion * tube.radius;
 }
 
-std::optional<ElementPair> test_pair(const std::vector<Tube>& tubes, const Segment& first, const Segment& second,
-                                     const SearchOptions& options) {
-    const bool ordered = std::tie(first.tube, first.element) < std::tie(second.tube, second.element);
+std::optional<ElementPair> test_pair(const std::vector<Tube>& tubes, const Segment& first,
+                                     const Segment& second, const SearchOptions& options) {
+    const bool ordered =
+        std::tie(first.tube, first.element) < std::tie(second.tube, second.element);
     const Segment& a = ordered ? first : second;
     const Segment& b = ordered ? second : first;
     if (neighbours(tubes, a, b, options.self_exclusion))
@@ -59,7 +63,12 @@ std::optional<ElementPair> test_pair(const std::vector<Tube>& tubes, const Segme
     const auto closest = segment_distance(a.start, a.end, b.start, b.end);
     if (closest.distance > reach(tubes, a, b, options.margin))
         return std::nullopt;
-    return ElementPair{a.tube,    b.tube, a.element, b.element, a.element + closest.t_a, b.element + closest.t_b,
+    return ElementPair{a.tube,
+                       b.tube,
+                       a.element,
+                       b.element,
+                       a.element + closest.t_a,
+                       b.element + closest.t_b,
                        closest.distance};
 }
 
@@ -71,11 +80,12 @@ void sort_pairs(std::vector<ElementPair>& pairs) {
 
 /// Boxes of elements, inflated by radius and half the margin, as ranges of cells of a grid.
 class Grid {
-  public:
+public:
     Grid(const std::vector<Tube>& tubes, const std::vector<Segment>& segments, double margin) {
         double size = margin;
         for (const auto& s : segments)
-            size = std::max(size, (s.end - s.start).cwiseAbs().maxCoeff() + 2 * tubes[s.tube].radius + margin);
+            size = std::max(size, (s.end - s.start).cwiseAbs().maxCoeff() +
+                                      2 * tubes[s.tube].radius + margin);
         size_ = size;
         for (std::size_t i = 0; i < segments.size(); ++i) {
             const auto& s = segments[i];
@@ -98,14 +108,17 @@ class Grid {
                         visit(ids[i], ids[j]);
     }
 
-  private:
+private:
     Cell cell(const Vec3& x) const {
-        const auto index = [this](double v) { return static_cast<std::int64_t>(std::floor(v / size_)); };
+        const auto index = [this](double v) {
+            return static_cast<std::int64_t>(std::floor(v / size_));
+        };
         return {index(x[0]), index(x[1]), index(x[2])};
     }
 
     Cell first_shared(std::int32_t i, std::int32_t j) const {
-        return {std::max(low_[i].x, low_[j].x), std::max(low_[i].y, low_[j].y), std::max(low_[i].z, low_[j].z)};
+        return {std::max(low_[i].x, low_[j].x), std::max(low_[i].y, low_[j].y),
+                std::max(low_[i].z, low_[j].z)};
     }
 
     double size_ = 1.0;
@@ -115,7 +128,8 @@ class Grid {
 
 } // namespace
 
-std::vector<ElementPair> close_pairs(const std::vector<Tube>& tubes, Unknowns q, const SearchOptions& options) {
+std::vector<ElementPair> close_pairs(const std::vector<Tube>& tubes, Unknowns q,
+                                     const SearchOptions& options) {
     const auto segments = segments_of(tubes, q);
     std::vector<ElementPair> out;
     Grid(tubes, segments, options.margin).for_each_candidate([&](std::int32_t i, std::int32_t j) {

@@ -22,8 +22,9 @@ std::vector<std::size_t> components(Pairs pairs) {
     std::iota(parent.begin(), parent.end(), std::size_t{0});
     const auto join = [&](std::size_t i, std::int32_t element_a, std::int32_t element_b) {
         const auto key = std::pair(element_a, element_b);
-        const auto at = std::ranges::lower_bound(
-            pairs, key, {}, [](const ElementPair& p) { return std::pair(p.element_a, p.element_b); });
+        const auto at = std::ranges::lower_bound(pairs, key, {}, [](const ElementPair& p) {
+            return std::pair(p.element_a, p.element_b);
+        });
         if (at != pairs.end() && std::pair(at->element_a, at->element_b) == key)
             parent[root(parent, i)] = root(parent, static_cast<std::size_t>(at - pairs.begin()));
     };
@@ -47,7 +48,8 @@ Vec3 chord(const Tube& tube, Unknowns q, std::int32_t element) {
 int orientation(const std::vector<Tube>& tubes, Unknowns q, const ProximityZone& zone) {
     double sum = 0;
     for (const auto& p : zone.pairs)
-        sum += chord(tubes[zone.tube_a], q, p.element_a).dot(chord(tubes[zone.tube_b], q, p.element_b));
+        sum += chord(tubes[zone.tube_a], q, p.element_a)
+                   .dot(chord(tubes[zone.tube_b], q, p.element_b));
     return sum >= 0 ? 1 : -1;
 }
 

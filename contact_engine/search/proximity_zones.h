@@ -8,11 +8,12 @@ namespace braidx {
 /// connected set of its close element pairs.
 struct ProximityZone {
     std::int32_t tube_a, tube_b;
-    int orientation;                ///< +1 if the curves run the same way, -1 if opposite ways
+    int orientation; ///< +1 if the curves run the same way, -1 if opposite ways
     std::vector<ElementPair> pairs;
 };
 
-/// Zones of sorted close pairs: pairs whose elements are equal or neighbours on both curves belong together.
+/// Zones of sorted close pairs: pairs whose elements are equal or neighbours on both curves belong
+/// together.
 std::vector<ProximityZone> proximity_zones(const std::vector<Tube>& tubes, Unknowns q,
                                            const std::vector<ElementPair>& pairs);
 

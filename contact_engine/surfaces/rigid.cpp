@@ -12,11 +12,15 @@ Vec3 direction(const Vec3& v, const Vec3& otherwise) {
     return length > 1e-9 ? Vec3(v / length) : otherwise;
 }
 
-Vec3 across(const Vec3& v, const Vec3& axis) { return v - v.dot(axis) * axis; }
+Vec3 across(const Vec3& v, const Vec3& axis) {
+    return v - v.dot(axis) * axis;
+}
 
 } // namespace
 
-SurfacePoint Plane::nearest(const Vec3& x) const { return {x - (x - point).dot(normal) * normal, normal}; }
+SurfacePoint Plane::nearest(const Vec3& x) const {
+    return {x - (x - point).dot(normal) * normal, normal};
+}
 
 SurfacePoint Cylinder::nearest(const Vec3& x) const {
     const Vec3 off = across(x - point, axis);
@@ -26,8 +30,10 @@ SurfacePoint Cylinder::nearest(const Vec3& x) const {
 
 SurfacePoint Sheave::nearest(const Vec3& x) const {
     const Vec3 off = across(x - centre, axis);
-    // Beyond the circle of groove centres the flanks run on, so that a rope can leave along the tangent.
-    const Vec3 groove_centre = centre + std::max(radius, off.norm()) * direction(off, axis.unitOrthogonal());
+    // Beyond the circle of groove centres the flanks run on, so that a rope can leave along the
+    // tangent.
+    const Vec3 groove_centre =
+        centre + std::max(radius, off.norm()) * direction(off, axis.unitOrthogonal());
     const Vec3 inward = direction(x - groove_centre, axis);
     return {groove_centre + groove_radius * inward, -inward};
 }

@@ -30,8 +30,8 @@ struct Cylinder {
     SurfacePoint nearest(const Vec3& x) const;
 };
 
-/// Sheave: a disc with a round groove of radius groove_radius, centred on a circle of radius `radius` about the axis;
-/// outside that circle the groove is open between two plane flanks.
+/// Sheave: a disc with a round groove of radius groove_radius, centred on a circle of radius
+/// `radius` about the axis; outside that circle the groove is open between two plane flanks.
 struct Sheave {
     Vec3 centre;
     Vec3 axis;            ///< unit

@@ -87,9 +87,10 @@ Vec3 position(const Tube& tube, Unknowns q, double s) {
 
 CurvePoint curve_point(const Tube& tube, Unknowns q, double s) {
     const auto e = element_of(tube, s);
-    // Tangents of degree-1 curves are always the smooth ones: those of the polygon jump at its nodes.
-    const Support slope = tube.degree == 1 ? smooth_support(e, s - e, tube.num_elements)
-                                           : element_support(tube, s);
+    // Tangents of degree-1 curves are always the smooth ones: those of the polygon jump at its
+    // nodes.
+    const Support slope =
+        tube.degree == 1 ? smooth_support(e, s - e, tube.num_elements) : element_support(tube, s);
     CurvePoint out{position(tube, q, s), Vec3::Zero()};
     for (int i = 0; i < slope.count; ++i)
         out.tangent += slope.slope[i] * vector_at(q, tube.unknown_of(slope.node[i]));

@@ -6,9 +6,11 @@
 
 namespace braidx {
 
-/// A tube of round section around a curve of finite elements: a cable, or a beam with two directors.
+/// A tube of round section around a curve of finite elements: a cable, or a beam with two
+/// directors.
 ///
-/// Material coordinates `s` count elements: s = 0 at the first node, s = num_elements at the last one.
+/// Material coordinates `s` count elements: s = 0 at the first node, s = num_elements at the last
+/// one.
 struct Tube {
     std::int64_t first_unknown; ///< engine number of the first unknown of the first node
     std::int32_t num_elements;
@@ -22,7 +24,9 @@ struct Tube {
     double length() const { return num_elements * element_length; }
     std::int32_t num_nodes() const { return num_elements * degree + 1; }
     bool has_directors() const { return block == 9; }
-    std::int64_t unknown_of(std::int32_t node) const { return first_unknown + std::int64_t{node} * block; }
+    std::int64_t unknown_of(std::int32_t node) const {
+        return first_unknown + std::int64_t{node} * block;
+    }
 };
 
 /// Nodes that carry a particle, their weights, and the derivative of the weights with s.
@@ -34,11 +38,13 @@ struct Support {
     std::array<double, 4> bend{}; ///< second derivative with s (contact geometry only)
 };
 
-/// Weights of the finite element's own shape functions at s (directors, and positions of rough tubes).
+/// Weights of the finite element's own shape functions at s (directors, and positions of rough
+/// tubes).
 Support element_support(const Tube& tube, double s);
 
-/// Weights of the contact geometry at s: C1 through four nodes where the tube is smooth (Catmull-Rom,
-/// with linear extrapolation past the ends), the element's own shape functions otherwise.
+/// Weights of the contact geometry at s: C1 through four nodes where the tube is smooth
+/// (Catmull-Rom, with linear extrapolation past the ends), the element's own shape functions
+/// otherwise.
 Support contact_support(const Tube& tube, double s);
 
 /// Centre line at s, mm.

@@ -56,7 +56,7 @@ def create_folder(folder: Path, scene: Scene) -> None:
             part.write_text(header + to_toml(scene), "utf-8")
             os.replace(part, copy)
     except OSError as error:
-        raise _unwritable(folder, error.strerror) from None
+        raise _unwritable(folder, error.strerror or str(error)) from None
 
 
 def agreed(prepare: Callable[[], Path]) -> Path:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from typing import Any
+
 import braidx_engine as engine
 import numpy as np
 from mpi4py import MPI
@@ -41,8 +43,19 @@ class Contact:
         start: Unknowns at the start of the increment, shape (num_unknowns,).
     """
 
-    def __init__(self, comm, layout: TubeLayout, crossings=None, *, smooth: bool, symmetric: bool) -> None:
-        int32 = {name: getattr(layout, name).astype(np.int32) for name in ("num_elements", "degree", "block", "body")}
+    def __init__(
+        self,
+        comm: MPI.Comm,
+        layout: TubeLayout,
+        crossings: Any = None,
+        *,
+        smooth: bool,
+        symmetric: bool,
+    ) -> None:
+        int32 = {
+            name: getattr(layout, name).astype(np.int32)
+            for name in ("num_elements", "degree", "block", "body")
+        }
         self.tubes = engine.make_tubes(
             first_unknown=layout.first_unknown.astype(np.int64),
             radius=layout.radius.astype(float),
@@ -53,7 +66,7 @@ class Contact:
         self.comm = comm
         self.crossings = crossings if crossings is not None else no_crossings()
         self.symmetric = symmetric
-        self.rigid: list = []
+        self.rigid: list[Any] = []
         self.laws = engine.ContactLaws()
         self.pairing = engine.PairingOptions()
         self.pairing.part, self.pairing.num_parts = comm.rank, comm.size
@@ -69,7 +82,7 @@ class Contact:
         )
         self._lay_out()
 
-    def restore(self, elements) -> None:
+    def restore(self, elements: Any) -> None:
         """Goes back to earlier contact elements, with their memory."""
         self.elements = elements
         self._lay_out()
@@ -133,7 +146,14 @@ class Contact:
         """See Term."""
         values = np.zeros(len(self._rows))
         engine.add_tangent(
-            self.tubes, self.elements, self._pattern, self._q, self.start, self.laws, self.symmetric, values
+            self.tubes,
+            self.elements,
+            self._pattern,
+            self._q,
+            self.start,
+            self.laws,
+            self.symmetric,
+            values,
         )
         return values
 
@@ -146,7 +166,9 @@ class Contact:
         self._cols = np.broadcast_to(col[:, None, None] + within[None, None, :], shape).ravel()
 
 
-def no_crossings():
+def no_crossings() -> Any:
     """Engine object for scenes without prescribed stacking order."""
     nothing = np.empty(0, np.int32)
-    return engine.make_crossings(tubes=nothing, windows=np.empty(0), order=nothing, axis=np.array([0, 0, 0, 0, 0, 1.0]))
+    return engine.make_crossings(
+        tubes=nothing, windows=np.empty(0), order=nothing, axis=np.array([0, 0, 0, 0, 0, 1.0])
+    )

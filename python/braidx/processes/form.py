@@ -16,6 +16,7 @@ import braidx_engine as engine
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from ..bodies import CableBody
 from ..output.log import LOGGER
 from ..scene import Form
 from ..solver.increment import Diverged, Increment, IncrementOptions
@@ -127,6 +128,7 @@ class Former:
         if number["rested"]:
             return
         q = spread_nodes(model.centre_lines(self.state.q))
+        assert isinstance(model.body, CableBody)
         model.body.set_reference(q.reshape(-1, 3))
         model.body.set_properties(
             tension=self.step.tension, axial_stiffness=STRETCH * self.step.tension
@@ -138,7 +140,9 @@ class Former:
         contact.rigid = []
         if self.step.die_diameter and not number["opened"]:
             axis = np.array([0.0, 0.0, 1.0])
-            contact.rigid = [engine.make_cylinder(0 * axis, axis, self.step.die_diameter / 2, True, 0)]
+            contact.rigid = [
+                engine.make_cylinder(0 * axis, axis, self.step.die_diameter / 2, True, 0)
+            ]
 
     def _solve(self) -> Increment:
         newton, contact = self.model.newton, self.model.contact

@@ -57,7 +57,9 @@ def final_results(scene: Scene, rope: Rope, rows: Mapping[str, np.ndarray]) -> d
     if (~forming).any():
         deepest = rows["max penetration / radius (-)"][~forming].astype(float)
         results["max_penetration_over_radius"] = float(deepest.max())
-    pulled = np.array([isinstance(scene.steps[int(s.split()[0]) - 1], Pull) for s in step], dtype=bool)
+    pulled = np.array(
+        [isinstance(scene.steps[int(s.split()[0]) - 1], Pull) for s in step], dtype=bool
+    )
     if pulled.sum() >= 2:
         strain = rows["rope strain (-)"][pulled].astype(float)
         force = rows["force (kN)"][pulled].astype(float)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import Any
 
 import braidx_engine as engine
 import numpy as np
@@ -16,11 +17,8 @@ from ..solver.increment import Incrementer
 from ..solver.newton import Newton, NewtonOptions
 from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
-from ..system.terms import BodyTerm, LoadTerm, ProximalTerm
+from ..system.terms import BodyTerm, LoadTerm, ProximalTerm, Term
 from .ends import Ends
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 
 class RopeModel:
@@ -34,7 +32,9 @@ class RopeModel:
         incrementer: Solves one increment.
     """
 
-    def __init__(self, comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> None:
+    def __init__(
+        self, comm: MPI.Comm, scene: Scene, rope: Rope, body: CableBody | BeamBody
+    ) -> None:
         self.comm, self.scene, self.rope, self.body = comm, scene, rope, body
         size = body.num_unknowns
         self.contact = make_contact(comm, scene, rope, body)
@@ -42,7 +42,7 @@ class RopeModel:
         self.loads = LoadTerm(size)
         self.directors = np.tile(np.arange(body.block) >= 3, body.num_nodes)
         self.ends = Ends(body, scene.ends)
-        terms = [BodyTerm(body, 0), self.contact, self.proximal]
+        terms: list[Term] = [BodyTerm(body, 0), self.contact, self.proximal]
         if comm.rank == 0:
             terms.append(self.loads)
         self.system = GlobalSystem(comm, terms, *self.ends.held(0.0))
@@ -91,7 +91,7 @@ class RopeModel:
 
 
 def cable_body(
-    comm: MPI.Comm, scene: Scene, lines: Sequence[Floats], axial_stiffness: float, tension
+    comm: MPI.Comm, scene: Scene, lines: Sequence[Floats], axial_stiffness: float, tension: Floats
 ) -> CableBody:
     """Yarns as cables along the given centre lines."""
     return CableBody(
@@ -133,7 +133,7 @@ def beam_body(comm: MPI.Comm, scene: Scene, lines: Sequence[Floats]) -> BeamBody
         degree=yarn.degree,
         bundle_factor=yarn.bundle_factor,
         torsion_factor=yarn.torsion_factor,
-        natural_state=yarn.natural_state,
+        natural_state="straight" if yarn.natural_state == "straight" else "as placed",
     )
 
 
@@ -155,7 +155,7 @@ def make_contact(comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> C
     curves, options = body.layout.curves, scene.contact
     num_elements = np.diff(body.layout.curve_elements)
     lengths = np.add.reduceat(body.rest_lengths(), body.layout.curve_elements[:-1])
-    ones = np.ones(len(num_elements))
+    ones = np.ones(len(num_elements), dtype=np.int64)
     layout = TubeLayout(
         first_unknown=curves[:-1] * body.block,
         num_elements=num_elements,
@@ -166,9 +166,13 @@ def make_contact(comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> C
         body=0 * ones,
     )
     crossings = engine_crossings(rope, lengths)
-    contact = Contact(comm, layout, crossings, smooth=True, symmetric=scene.solver.tangent == "symmetric")
+    contact = Contact(
+        comm, layout, crossings, smooth=True, symmetric=scene.solver.tangent == "symmetric"
+    )
     radius = rope.radius.min()
-    contact.pairing.spacing = options.station_spacing * float(layout.element_length.min()) / body.layout.degree
+    contact.pairing.spacing = (
+        options.station_spacing * float(layout.element_length.min()) / body.layout.degree
+    )
     contact.pairing.search.margin = options.search_distance * radius
     contact.pairing.point_tolerance = options.penetration_tolerance * radius
     contact.laws.regularisation = options.regularisation * radius
@@ -177,7 +181,7 @@ def make_contact(comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> C
     return contact
 
 
-def engine_crossings(rope: Rope, lengths: Floats):
+def engine_crossings(rope: Rope, lengths: Floats) -> Any:
     """Crossings of all yarns of crossing strands, with windows in rest arc length (mm).
 
     A window reaches a tenth of a pitch to either side: crossings of one pair are half a pitch apart.
@@ -185,8 +189,12 @@ def engine_crossings(rope: Rope, lengths: Floats):
     yarns = [np.flatnonzero(rope.strand == s) for s in range(rope.num_strands)]
     crossings: Crossings = rope.crossings
     tubes, windows, order = [], [], []
-    for a, b, z, sign in zip(crossings.strand_a, crossings.strand_b, crossings.z, crossings.order, strict=True):
-        window = np.clip(np.array([z - rope.pitch / 10, z + rope.pitch / 10]) / rope.length, 0.0, 1.0)
+    for a, b, z, sign in zip(
+        crossings.strand_a, crossings.strand_b, crossings.z, crossings.order, strict=True
+    ):
+        window = np.clip(
+            np.array([z - rope.pitch / 10, z + rope.pitch / 10]) / rope.length, 0.0, 1.0
+        )
         for yarn_a in yarns[a]:
             for yarn_b in yarns[b]:
                 tubes.append((yarn_a, yarn_b))

@@ -64,7 +64,11 @@ class Puller:
                 continue
             self._take(increment, self.strain + step)
             return Attempt(
-                increment, self.strain, cuts, iterations + increment.iterations, solves + increment.linear_solves
+                increment,
+                self.strain,
+                cuts,
+                iterations + increment.iterations,
+                solves + increment.linear_solves,
             )
 
     def force(self) -> float:
@@ -80,16 +84,19 @@ class Puller:
 
     def _predict(self, strain: float) -> Floats:
         """The state moved on at the rate of the last increment, or stretched along the axis at first."""
-        rate = self.state.rate
+        rate: Floats = self.state.rate
         if not rate.any():
-            rate = np.zeros((self.model.body.num_nodes, self.model.body.block))
-            rate[:, 2] = self.state.reference.reshape(rate.shape)[:, 2]
-        return self.state.q + (strain - self.strain) * rate.ravel()
+            stretch: Floats = np.zeros((self.model.body.num_nodes, self.model.body.block))
+            stretch[:, 2] = self.state.reference.reshape(stretch.shape)[:, 2]
+            rate = np.asarray(stretch.ravel(), dtype=np.float64)
+        moved: Floats = self.state.q + (strain - self.strain) * rate
+        return moved
 
     def _take(self, increment: Increment, strain: float) -> None:
         rate = self.state.rate
         if strain != self.strain:
-            rate = (increment.q - self.state.q) / (strain - self.strain)
+            moved = (increment.q - self.state.q) / (strain - self.strain)
+            rate = np.asarray(moved, dtype=np.float64)
         self.strain = strain
         self.state = replace(
             self.state,
@@ -121,7 +128,9 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
         rest = attempt.increment.stabilisation_work < REST * energy
         done = step.increments if rest else done
         puller.state = replace(puller.state, progress={**puller.state.progress, "settled": done})
-        yield _outcome(puller, attempt, done / step.increments, "settled" if done == step.increments else None)
+        yield _outcome(
+            puller, attempt, done / step.increments, "settled" if done == step.increments else None
+        )
 
 
 def hold(model: RopeModel, state: State, step: Hold) -> Iterator[Outcome]:
@@ -137,7 +146,9 @@ def pull(model: RopeModel, state: State, step: Pull) -> Iterator[Outcome]:
     """Increases the strain until a force or a strain is reached."""
     puller = Puller(model, state)
     if step.to_force is not None:
-        yield from _to_force(puller, 1e3 * step.to_force, step.strain_increment, f"{step.to_force:g} kN")
+        yield from _to_force(
+            puller, 1e3 * step.to_force, step.strain_increment, f"{step.to_force:g} kN"
+        )
         return
     assert step.to_strain is not None
     start, end = puller.strain, step.to_strain
@@ -157,9 +168,13 @@ def cycle(model: RopeModel, state: State, step: Cycle) -> Iterator[Outcome]:
     turns = 2 * step.cycles
     for turn in range(int(state.progress.get("turn", 0)), turns):
         target = step.force_min if turn % 2 else step.force_max
-        for outcome in _to_force(puller, 1e3 * target, step.strain_increment, f"cycle {turn // 2 + 1}, {target:g} kN"):
+        for outcome in _to_force(
+            puller, 1e3 * target, step.strain_increment, f"cycle {turn // 2 + 1}, {target:g} kN"
+        ):
             ended = outcome.snapshot is not None
-            puller.state = replace(outcome.state, progress={**outcome.state.progress, "turn": turn + ended})
+            puller.state = replace(
+                outcome.state, progress={**outcome.state.progress, "turn": turn + ended}
+            )
             yield replace(outcome, state=puller.state, share=(turn + outcome.share) / turns)
 
 
@@ -176,8 +191,12 @@ def _to_force(puller: Puller, target: float, nominal: float, name: str) -> Itera
         change, force = puller.force() - force, puller.force()
         slope = max(change / (puller.strain - before), 0.0)
         size = _next_size(size, attempt, nominal)
-        puller.state = replace(puller.state, progress={**puller.state.progress, "size": size, "slope": slope})
-        ended = abs(force - target) < LANDING * abs(target) or sign * (force - target) > 0.05 * abs(target)
+        puller.state = replace(
+            puller.state, progress={**puller.state.progress, "size": size, "slope": slope}
+        )
+        ended = abs(force - target) < LANDING * abs(target) or sign * (force - target) > 0.05 * abs(
+            target
+        )
         share = 1.0 if ended else (force - first) / (target - first)
         yield _outcome(puller, attempt, share, name if ended else None)
         if ended:
@@ -186,10 +205,12 @@ def _to_force(puller: Puller, target: float, nominal: float, name: str) -> Itera
 
 def _next_size(size: float, attempt: Attempt, nominal: float) -> float:
     """Halved by cuts, doubled again up to the nominal size once increments succeed at once."""
-    return size / 2**attempt.cuts if attempt.cuts else min(2 * size, nominal)
+    return size / 2 ** attempt.cuts if attempt.cuts else min(2 * size, nominal)
 
 
-def _outcome(puller: Puller, attempt: Attempt, share: float, snapshot: str | None = None) -> Outcome:
+def _outcome(
+    puller: Puller, attempt: Attempt, share: float, snapshot: str | None = None
+) -> Outcome:
     return Outcome(
         puller.state,
         attempt.increment,

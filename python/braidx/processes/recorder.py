@@ -10,6 +10,7 @@ import numpy as np
 from mpi4py import MPI
 from rich.console import Console
 
+from ..cli.environment import blas_warning
 from ..geometry import Rope
 from ..output import figures, history, paraview, snapshot
 from ..output.history import History, HistoryRow
@@ -32,7 +33,9 @@ WEIGHTS = {"form": 4.0, "settle": 1.0, "pull": 4.0, "hold": 1.0, "cycle": 6.0}
 class Recorder:
     """Writes on the first process only; the other processes take part in gathering."""
 
-    def __init__(self, comm: MPI.Comm, scene: Scene, rope: Rope, folder: Path, resumed: State | None) -> None:
+    def __init__(
+        self, comm: MPI.Comm, scene: Scene, rope: Rope, folder: Path, resumed: State | None
+    ) -> None:
         self.comm, self.scene, self.rope, self.folder = comm, scene, rope, folder
         self.first = comm.rank == 0
         self._results: dict[str, float] = dict(resumed.results) if resumed else {}
@@ -49,6 +52,9 @@ class Recorder:
         (folder / SNAPSHOTS).mkdir(exist_ok=True)
         names = [f"{i + 1} {step.kind}" for i, step in enumerate(scene.steps)]
         self._progress = Progress(names, [WEIGHTS[step.kind] for step in scene.steps], console)
+        slow = blas_warning()
+        if slow:
+            LOGGER.warning("%s", slow)
         if resumed is None:
             self._keep(start_snapshot(rope), 0)
         elif resumed.step < len(names):
@@ -64,8 +70,14 @@ class Recorder:
         state, increment = outcome.state, outcome.increment
         self._elements = max(self._elements, increment.contact_elements)
         energy = model.internal_energy(state.q)
-        share = state.stabilisation_work / energy if energy > 0 and state.model != "forming" else 0.0
-        picture = model_snapshot(model, state, outcome.snapshot or step.kind) if self._wanted(outcome) else None
+        share = (
+            state.stabilisation_work / energy if energy > 0 and state.model != "forming" else 0.0
+        )
+        picture = (
+            model_snapshot(model, state, outcome.snapshot or step.kind)
+            if self._wanted(outcome)
+            else None
+        )
         self._results |= {"stabilisation_work_share": share, "friction_work": state.friction_work}
         if outcome.snapshot and picture is not None:
             wrong = wrong_side_crossings(model, state.q)
@@ -93,7 +105,11 @@ class Recorder:
         )
         self._history.append(row)
         self._progress.increment(row, outcome.share)
-        if picture is not None and self._series is not None and state.increment % self.scene.output.every == 0:
+        if (
+            picture is not None
+            and self._series is not None
+            and state.increment % self.scene.output.every == 0
+        ):
             self._series.append(picture, state.increment)
         if picture is not None and outcome.snapshot:
             self._keep(picture, state.increment)
@@ -110,8 +126,12 @@ class Recorder:
         if self.first:
             self._history.close()
             if self.scene.output.pictures:
-                kept = [snapshot.load(path) for path in sorted((self.folder / SNAPSHOTS).glob("*.npz"))]
-                figures.draw_all(self.folder, kept, self.folder / "history.csv", self.scene.expected)
+                kept = [
+                    snapshot.load(path) for path in sorted((self.folder / SNAPSHOTS).glob("*.npz"))
+                ]
+                figures.draw_all(
+                    self.folder, kept, self.folder / "history.csv", self.scene.expected
+                )
             self._progress.finish(self._costs)
             contents = self._write_summary(converged, memory)
             close_log()
@@ -153,7 +173,7 @@ def model_snapshot(model: RopeModel, state: State, name: str) -> Snapshot:
     degree, curves = model.body.layout.degree, model.body.layout.curve_elements
     per_segment = np.repeat(model.tension(q), degree)
     tension = tuple(np.split(per_segment, curves[1:-1] * degree))
-    area = model.scene.yarn.section_area
+    area = float(model.scene.yarn.section_area)
     directors = None
     if model.body.block == 9:
         all_directors = q.reshape(-1, 9)[:, 3:].reshape(-1, 2, 3)
@@ -165,7 +185,9 @@ def model_snapshot(model: RopeModel, state: State, name: str) -> Snapshot:
         model.rope.strand,
         directors=directors,
         tension=tension,
-        axial_stress=tuple(t / area for t in tension) if own_model else None,
+        axial_stress=(
+            tuple(np.divide(t, area, dtype=np.float64) for t in tension) if own_model else None
+        ),
         contacts=_contact_table(model, q),
     )
 

@@ -63,7 +63,9 @@ def start_state(scene: Scene, rope: Rope) -> State:
     """The start configuration; a scene that forms nothing starts with straight-away yarns as placed."""
     q = np.concatenate(rope.centre_lines).ravel()
     tension = np.zeros((len(rope.centre_lines[0]) - 1) // scene.yarn.degree * rope.num_yarns)
-    state = State(q=q, model="forming", reference=q.copy(), rest_tension=tension, rate=np.zeros_like(q))
+    state = State(
+        q=q, model="forming", reference=q.copy(), rest_tension=tension, rate=np.zeros_like(q)
+    )
     return state if isinstance(scene.steps[0], Form) else in_own_model(scene, state)
 
 
@@ -155,7 +157,11 @@ def _counted(outcome: Outcome, before: State, step: Step, seconds: float) -> Sta
         step=before.step,
         increment=before.increment + 1,
         costs={**before.costs, step.kind: cost},
-        results={**before.results, "formed_force": outcome.force} if isinstance(step, Form) else before.results,
+        results=(
+            {**before.results, "formed_force": outcome.force}
+            if isinstance(step, Form)
+            else before.results
+        ),
     )
 
 

@@ -86,7 +86,9 @@ def load(folder: Path) -> State | None:
     with np.load(path) as data:
         numbers = json.loads(str(data["numbers"]))
         contacts = {
-            name.removeprefix("contacts_"): data[name] for name in data if name.startswith("contacts_")
+            name.removeprefix("contacts_"): data[name]
+            for name in data
+            if name.startswith("contacts_")
         }
         arrays = {name: data[name] for name in ARRAYS}
     numbers["costs"] = {name: PhaseCost(**cost) for name, cost in numbers["costs"].items()}

@@ -85,7 +85,8 @@ class Incrementer:
         contact = self.contact
         before = contact.elements.copy()
         contact.start, self.proximal.start = start, guess
-        q, iterations, solves, raised = guess, 0, 0, 0
+        q: Floats = guess
+        iterations = solves = raised = 0
 
         def fail(reason: str) -> Diverged:
             contact.restore(before)
@@ -97,7 +98,13 @@ class Incrementer:
             consistent = update > 0 and not raised and residual < options.pairing_tolerance
             if consistent or (options.in_passing and update == options.max_updates):
                 return Increment(
-                    q, iterations, solves, update, residual, self.proximal.work(q), *contact.commit(q)
+                    q,
+                    iterations,
+                    solves,
+                    update,
+                    residual,
+                    self.proximal.work(q),
+                    *contact.commit(q),
                 )
             if update == options.max_updates:
                 break

@@ -85,7 +85,9 @@ class Newton:
         factorisation = ksp.getPC()
         factorisation.setType("cholesky" if self.options.symmetric else "lu")
         serial = self.system.comm.size == 1
-        factorisation.setFactorSolverType("cholmod" if self.options.symmetric and serial else "mumps")
+        factorisation.setFactorSolverType(
+            "cholmod" if self.options.symmetric and serial else "mumps"
+        )
         options = PETSc.Options("braidx_")
         for key, value in {"snes_linesearch_type": "bt", **(self.options.petsc or {})}.items():
             options[key] = value
@@ -110,7 +112,11 @@ class Newton:
         except PETSc.Error as error:
             reason, converged = f"PETSc error {error.ierr}", False
         result = NewtonResult(
-            converged, snes.getIterationNumber(), snes.getLinearSolveIterations(), self._relative(), reason
+            converged,
+            snes.getIterationNumber(),
+            snes.getLinearSolveIterations(),
+            self._relative(),
+            reason,
         )
         return system.expand(system.gather(system.vector)), result
 
@@ -128,7 +134,9 @@ class Newton:
         self.system.set_state(self.system.expand(self.system.gather(x)))
         self.system.assemble_residual(f)
 
-    def _jacobian(self, snes: PETSc.SNES, x: PETSc.Vec, matrix: PETSc.Mat, preconditioner: PETSc.Mat) -> None:
+    def _jacobian(
+        self, snes: PETSc.SNES, x: PETSc.Vec, matrix: PETSc.Mat, preconditioner: PETSc.Mat
+    ) -> None:
         self.system.set_state(self.system.expand(self.system.gather(x)))
         self.system.assemble_tangent()
 

@@ -96,7 +96,9 @@ class Constraints:
 
     def tie(self, unknowns: npt.ArrayLike, to: npt.ArrayLike) -> None:
         """unknowns = to + constraint value."""
-        followers, leaders = np.broadcast_arrays(np.asarray(unknowns, np.int64), np.asarray(to, np.int64))
+        followers, leaders = np.broadcast_arrays(
+            np.asarray(unknowns, np.int64), np.asarray(to, np.int64)
+        )
         self._follow(followers)
         self._add(followers, leaders, np.ones(len(followers)))
 
@@ -127,7 +129,9 @@ class Constraints:
                 free = np.flatnonzero(~self._followers)
                 return ConstraintMap(sp.csr_matrix(closure[:, free]), sp.csr_matrix(closure), free)
             closure = closure + power
-        raise ValueError("constraints of unknowns follow each other in a circle; release one of them")
+        raise ValueError(
+            "constraints of unknowns follow each other in a circle; release one of them"
+        )
 
     def _follow(self, unknowns: Ints) -> None:
         if self._followers[unknowns].any():

@@ -30,7 +30,9 @@ def _call(name: str, *arguments: object) -> None:
 
 def preallocate(matrix: PETSc.Mat, rows: npt.NDArray, cols: npt.NDArray) -> None:
     """Lays a matrix out for values at (rows, cols), global indices; negative ones are dropped."""
-    i, j = (np.array(index, dtype=PETSc.IntType) for index in (rows, cols))  # PETSc may reorder them
+    i, j = (
+        np.array(index, dtype=PETSc.IntType) for index in (rows, cols)
+    )  # PETSc may reorder them
     _call(
         "MatSetPreallocationCOO",
         ctypes.c_void_p(matrix.handle),

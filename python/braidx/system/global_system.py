@@ -23,14 +23,18 @@ class GlobalSystem:
     """
 
     def __init__(
-        self, comm: MPI.Comm, terms: Sequence[Term], constraints: ConstraintMap, constraint_values: Floats
+        self,
+        comm: MPI.Comm,
+        terms: Sequence[Term],
+        constraints: ConstraintMap,
+        constraint_values: Floats,
     ) -> None:
         self.comm = comm
         self.terms = list(terms)
         self.constraints = constraints
         self.constraint_values = constraint_values
         self.force_scale = 0.0
-        self.q = np.zeros(len(constraint_values))
+        self.q: Floats = np.zeros(len(constraint_values))
         self.vector = PETSc.Vec().createMPI((PETSc.DECIDE, self.num_free), comm=comm)
         self.vector.setUp()
         self._counts = np.array(comm.allgather(self.vector.getLocalSize()))
@@ -52,7 +56,9 @@ class GlobalSystem:
         matrix.setSizes((size, size))
         matrix.setType(PETSc.Mat.Type.AIJ)
         coo.preallocate(
-            matrix, np.concatenate([p.rows for p in pieces]), np.concatenate([p.cols for p in pieces])
+            matrix,
+            np.concatenate([p.rows for p in pieces]),
+            np.concatenate([p.cols for p in pieces]),
         )
         self.matrix = matrix
 

@@ -32,10 +32,27 @@ class Term(Protocol):
         ...
 
 
+class Body(Protocol):
+    """What a body shows to the system; see bodies.CurveBody."""
+
+    block: int
+
+    @property
+    def num_unknowns(self) -> int: ...
+
+    def set_state(self, q: Floats) -> None: ...
+
+    def residual(self) -> Floats: ...
+
+    def tangent_pattern(self) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]: ...
+
+    def tangent_values(self) -> Floats: ...
+
+
 class BodyTerm:
     """Internal forces of a body whose unknowns begin at `first_unknown`."""
 
-    def __init__(self, body, first_unknown: int) -> None:
+    def __init__(self, body: Body, first_unknown: int) -> None:
         self.body = body
         self.unknowns = slice(first_unknown, first_unknown + body.num_unknowns)
 
@@ -49,7 +66,7 @@ class BodyTerm:
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
-        rows, cols = self.body.tangent_pattern()
+        rows, cols = (index.astype(np.int64) for index in self.body.tangent_pattern())
         return rows + self.unknowns.start, cols + self.unknowns.start
 
     def tangent_values(self) -> Floats:
@@ -90,8 +107,8 @@ class ProximalTerm:
 
     def __init__(self, num_unknowns: int, rank: int = 0) -> None:
         self.viscosity = np.zeros(num_unknowns)
-        self.start = np.zeros(num_unknowns)
-        self._q = self.start
+        self.start: Floats = np.zeros(num_unknowns)
+        self._q: Floats = self.start
         self._mine = np.arange(num_unknowns if rank == 0 else 0)
 
     def set_state(self, q: Floats) -> None:
