@@ -1,0 +1,80 @@
+"""C3: a cable that slides round a cylinder, T2 / T1 = exp(mu theta), line load q = T / R."""
+
+import braidx_engine as engine
+import numpy as np
+import pytest
+from support import Rods, cables
+
+RADIUS, THIN, TAIL = 10.0, 0.1, 5.0  # cylinder, cable, straight ends, mm
+TENSION = 10.0  # T1, N
+ELEMENT = 1.5  # degrees of wrap
+EXACT = {
+    (0.1, 90): 1.170089,
+    (0.1, 180): 1.369108,
+    (0.1, 360): 1.874456,
+    (0.2, 90): 1.369108,
+    (0.2, 180): 1.874456,
+    (0.2, 360): 3.513586,
+    (0.3, 180): 2.566332,
+}
+
+
+def wrapped_line(wrap):
+    """A line round the cylinder (axis z), its tangent turning by `wrap` degrees, with straight tails.
+
+    It climbs by five radii a turn, so that a full turn does not meet itself.
+    """
+    centre = RADIUS + THIN
+    climb = np.arctan(5 * THIN / (2 * np.pi * centre))
+    angle = np.radians(np.arange(0, wrap + ELEMENT / 2, ELEMENT)) / np.cos(climb)
+    rise = centre * np.tan(climb)
+    arc = np.stack([centre * np.cos(angle), centre * np.sin(angle), rise * angle], axis=1)
+
+    def tangent(a):
+        t = np.array([-centre * np.sin(a), centre * np.cos(a), rise])
+        return t / np.linalg.norm(t)
+
+    start, end = tangent(angle[0]), tangent(angle[-1])
+    step = np.linalg.norm(arc[1] - arc[0])
+    along = step * np.arange(1, int(TAIL / step))[:, None]
+    return np.concatenate([arc[0] - along[::-1] * start, arc, arc[-1] + along * end]), start, end
+
+
+def slide(friction, wrap):
+    line, start, end = wrapped_line(wrap)
+    cylinder = engine.make_cylinder(np.zeros(3), np.array([0, 0, 1.0]), RADIUS, False, 0)
+    body = cables([line], 1e5, TENSION)
+    rods = Rods(
+        body,
+        THIN,
+        penalty=2e3,
+        friction=friction,
+        rigid=[cylinder],
+        tolerance=1e-7,
+        symmetric=False,
+    )
+    rods.loads[0] = -TENSION * start
+    rods.hold(-1)
+    for distance in (0.01, 0.05, 0.1, 0.2):
+        rods.held[-1] = line[-1] + distance * end
+        rods.solve()
+    return rods, end
+
+
+@pytest.mark.parametrize("friction, wrap", EXACT)
+def test_ratio_of_tensions(friction, wrap):
+    rods, end = slide(friction, wrap)
+    pulled = rods.reactions()[-1] @ end
+    assert pulled / TENSION == pytest.approx(EXACT[friction, wrap], rel=5e-4)
+
+
+def test_line_load():
+    rods, _ = slide(0.2, 180)
+    contacts = rods.contacts()
+    tension = rods.body.tension(rods.q)
+    element = np.clip(contacts["s"][:, 0].astype(int), 0, len(tension) - 1)
+    angle = np.degrees(np.arctan2(contacts["position"][:, 1], contacts["position"][:, 0]))
+    inside = (angle > 10) & (angle < 170)
+    load = contacts["normal_force"] / contacts["weight"]
+    assert inside.sum() > 100
+    assert load[inside] == pytest.approx(tension[element[inside]] / (RADIUS + THIN), rel=5e-3)
