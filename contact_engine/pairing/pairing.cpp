@@ -177,7 +177,7 @@ bool covers(const ProximityZone& zone, const Station& s) {
 /// made there now: stations that come and go with every update would keep the rope from coming to
 /// rest.
 void keep_points(std::vector<Station>& points, const TubePair& pair, const ProximityZone& zone,
-                 const History& history, double spacing) {
+                 const History& history) {
     history.for_each(zone.tube_a, zone.tube_b, [&](const ContactElement& old) {
         if (old.station != point_station)
             return;
@@ -186,11 +186,8 @@ void keep_points(std::vector<Station>& points, const TubePair& pair, const Proxi
         if (!at)
             return;
         const auto kept = pair.station(at->first, at->second, old.weight, point_station);
-        const bool taken = std::ranges::any_of(points, [&](const Station& p) {
-            return std::abs(p.s_a - kept.s_a) * pair.a.element_length < 0.5 * spacing;
-        });
-        if (!taken && covers(zone, kept))
-            points.push_back(kept);
+        if (covers(zone, kept))
+            add_point(points, pair, kept);
     });
 }
 
@@ -199,7 +196,7 @@ void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone,
     const TubePair pair{tubes[zone.tube_a], tubes[zone.tube_b], q, zone.orientation};
     auto stations = line_stations(pair, zone.pairs, options.spacing);
     auto points = point_stations(pair, stations, options.spacing, options.point_tolerance);
-    keep_points(points, pair, zone, builder.history(), options.spacing);
+    keep_points(points, pair, zone, builder.history());
     stations.insert(stations.end(), points.begin(), points.end());
     const double reach = pair.a.radius + pair.b.radius + options.search.margin;
     const auto [first, last] = unseparated.equal_range({zone.tube_a, zone.tube_b});

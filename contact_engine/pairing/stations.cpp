@@ -82,6 +82,10 @@ Vec3 TubePair::across(const Station& station) const {
 
 namespace {
 
+/// Cosine of 30 degrees: curves that run closer to each other touch along lines, and their many small minima of
+/// distance, which come and go with every motion, are left to line stations.
+constexpr double flattest = 0.866;
+
 /// Best known half difference of a cell.
 struct Guess {
     double distance;
@@ -141,6 +145,14 @@ std::vector<Station> line_stations(const TubePair& tubes, const std::vector<Elem
     return out;
 }
 
+void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point) {
+    const bool taken = std::ranges::any_of(points, [&](const Station& p) {
+        return std::abs(p.s_a - point.s_a) * tubes.a.element_length < 0.5 * point.weight;
+    });
+    if (!taken)
+        points.push_back(point);
+}
+
 std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Station>& line,
                                     double spacing, double tolerance) {
     std::vector<Station> out;
@@ -160,12 +172,13 @@ std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Sta
             (tubes.metric * curve_point(tubes.b, tubes.q, line[i].s_b).tangent).normalized();
         const double cosine = std::abs(ta.dot(tb));
         const double sideways = spacing * spacing * (1 - cosine) / (1 + cosine);
-        if (sideways < 2 * (tubes.a.radius + tubes.b.radius) * tolerance)
+        if (cosine > flattest || sideways < 2 * (tubes.a.radius + tubes.b.radius) * tolerance)
             continue;
         const auto at = tubes.closest(line[i].s_a * tubes.a.element_length,
                                       line[i].s_b * tubes.b.element_length);
-        if (at && std::abs(at->first - line[i].s_a * tubes.a.element_length) < 3 * spacing)
-            out.push_back(tubes.station(at->first, at->second, spacing, point_station));
+        const bool near = at && std::abs(at->first - line[i].s_a * tubes.a.element_length) < 3 * spacing;
+        if (near)
+            add_point(out, tubes, tubes.station(at->first, at->second, spacing, point_station));
     }
     return out;
 }

@@ -47,6 +47,9 @@ struct TubePair {
 std::vector<Station> line_stations(const TubePair& tubes, const std::vector<ElementPair>& pairs,
                                    double spacing);
 
+/// Adds a point station unless one stands nearer than half its length already.
+void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point);
+
 /// Point stations at the interior minima of the distance along line stations (sorted by index),
 /// where the curves cross at an angle that makes line stations miss more than `tolerance` (mm) of
 /// the approach.

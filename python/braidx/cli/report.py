@@ -44,7 +44,7 @@ def scene_table(scene: Scene, rope: Rope) -> Table:
 
 
 def _models(scene: Scene) -> list[str]:
-    forming = [getattr(step, "model") for step in scene.steps if step.kind == "form"]
+    forming = ["cable" for step in scene.steps if step.kind == "form"]
     return list(dict.fromkeys([*forming, scene.yarn.model]))
 
 

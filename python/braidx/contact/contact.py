@@ -40,6 +40,7 @@ class Contact:
         elements: The current contact elements (engine object).
         laws: Laws of contact (engine object): regularisation, reversible slip, gap step, friction.
         pairing: How contact elements are made (engine object).
+        min_radius: Radius of the thinnest tube, mm.
         start: Unknowns at the start of the increment, shape (num_unknowns,).
     """
 
@@ -64,6 +65,7 @@ class Contact:
             **int32,
         )
         self.comm = comm
+        self.min_radius = float(layout.radius.min())
         self.crossings = crossings if crossings is not None else no_crossings()
         self.symmetric = symmetric
         self.rigid: list[Any] = []

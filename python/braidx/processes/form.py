@@ -63,7 +63,6 @@ class Former:
         contact.laws.friction = [0.0]
         contact.laws.gap_step = step.gap_reduction * radius
         contact.pairing.keep_side = False
-        contact.pairing.follow = False
         self._number = {
             "done": 0.0,
             "separated": 0.0,
@@ -152,7 +151,6 @@ class Former:
             options = IncrementOptions(penetration=self._tolerance)
             newton.restore_options()
             contact.laws.gap_step = -1.0
-            contact.pairing.follow = True
         for retry in range(RETRIES + 1):
             self.model.set_viscosity(self._viscosity * 2**retry)
             try:

@@ -39,12 +39,10 @@ class RopeModel:
         size = body.num_unknowns
         self.contact = make_contact(comm, scene, rope, body)
         self.proximal = ProximalTerm(size, comm.rank)
-        self.loads = LoadTerm(size)
+        self.loads = LoadTerm(size, comm.rank)
         self.directors = np.tile(np.arange(body.block) >= 3, body.num_nodes)
         self.ends = Ends(body, scene.ends)
-        terms: list[Term] = [BodyTerm(body, 0), self.contact, self.proximal]
-        if comm.rank == 0:
-            terms.append(self.loads)
+        terms: list[Term] = [BodyTerm(body, 0), self.contact, self.proximal, self.loads]
         self.system = GlobalSystem(comm, terms, *self.ends.held(0.0))
         solver = scene.solver
         options = NewtonOptions(

@@ -43,7 +43,7 @@ class ContactOptions(Table):
         "the yarns. It is adapted from there.",
     )
     station_spacing: float = option(
-        0.5,
+        0.25,
         unit="element length",
         above=0.0,
         maximum=2.0,

@@ -4,10 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from ..contact.contact import Contact
 from ..system.constraints import Floats
 from ..system.terms import ProximalTerm
 from .newton import Newton, NewtonResult
+
+FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
+SLOW = 0.5  # reduction of that residual by an update below which updates are damped
+FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
+GROWTH = 3.0  # largest factor on the penalty of a zone that penetrates too deep, at a time
+EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
 
 
 @dataclass(frozen=True)
@@ -25,7 +33,7 @@ class IncrementOptions:
 
     pairing_tolerance: float = 1e-3
     penetration: float | None = None
-    max_updates: int = 12
+    max_updates: int = 25
     in_passing: bool = False
 
 
@@ -67,7 +75,11 @@ class Diverged(Exception):
 
 
 class Incrementer:
-    """Solves increments: Newton for frozen contact elements, new ones until the pairing is consistent."""
+    """Solves increments: Newton for given contact elements, new ones until the pairing is consistent.
+
+    Far from the equilibrium sections and normals are frozen during Newton's iteration; near it they follow the
+    yarns (engine: facing.h), unless that does not converge. Repetitions that do not approach each other are damped.
+    """
 
     def __init__(self, newton: Newton, contact: Contact, proximal: ProximalTerm) -> None:
         self.newton, self.contact, self.proximal = newton, contact, proximal
@@ -82,53 +94,99 @@ class Incrementer:
         Raises:
             Diverged: If there is none to be found; the contact history is rolled back.
         """
-        contact = self.contact
-        before = contact.elements.copy()
-        contact.start, self.proximal.start = start, guess
-        q: Floats = guess
-        iterations = solves = raised = 0
-
-        def fail(reason: str) -> Diverged:
-            contact.restore(before)
-            return Diverged(reason, iterations, solves)
-
-        for update in range(options.max_updates + 1):
-            contact.update(q)
-            residual = self.newton.residual(q)
-            consistent = update > 0 and not raised and residual < options.pairing_tolerance
-            if consistent or (options.in_passing and update == options.max_updates):
-                return Increment(
-                    q,
-                    iterations,
-                    solves,
-                    update,
-                    residual,
-                    self.proximal.work(q),
-                    *contact.commit(q),
-                )
-            if update == options.max_updates:
-                break
-            self.newton.system.update_pattern()
-            self.newton.renew()
-            q, result = self._solve_pairs(q)
-            iterations += result.iterations
-            solves += result.linear_solves
-            passed = options.in_passing and result.exhausted
-            if not result.converged and not passed:
-                raise fail(f"Newton: {result.reason} after {result.iterations} iterations")
-            if options.penetration is not None:
-                raised = contact.adapt_stiffness(q, options.penetration)
-        why = "penetration above tolerance" if raised else f"residual {residual:.1e} with new pairs"
-        raise fail(f"pairing not consistent after {options.max_updates} contact updates ({why})")
-
-    def _solve_pairs(self, q: Floats) -> tuple[Floats, NewtonResult]:
-        """Newton for the current contact elements; where the exact tangent is indefinite, with a definite one."""
-        found, result = self.newton.solve(q)
-        if result.converged or not self.contact.pairing.follow:
-            return found, result
-        self.contact.laws.sliding = False
+        before = self.contact.elements.copy()
+        self.contact.start, self.proximal.start = start, guess
+        attempt = _Attempt(guess)
         try:
-            self.newton.renew()
-            return self.newton.solve(q)
+            while not self._accepted(attempt, options):
+                self._improve(attempt, options.in_passing)
+        except Diverged:
+            self.contact.restore(before)
+            raise
         finally:
-            self.contact.laws.sliding = True
+            self.proximal.damping = np.zeros_like(guess)
+        work = self.proximal.work(attempt.q)
+        done = self.contact.commit(attempt.q)
+        return Increment(
+            attempt.q,
+            attempt.iterations,
+            attempt.solves,
+            attempt.updates,
+            attempt.residual,
+            work,
+            *done,
+        )
+
+    def _accepted(self, attempt: _Attempt, options: IncrementOptions) -> bool:
+        """Makes contact elements anew and looks what residual they leave."""
+        contact, last = self.contact, attempt.residual
+        contact.pairing.follow = FOLLOW_BELOW > last and attempt.may_follow
+        contact.update(attempt.q)
+        self.proximal.damping = np.zeros_like(attempt.q)
+        attempt.residual = self.newton.residual(attempt.q)
+        consistent = attempt.updates > 0 and attempt.residual < options.pairing_tolerance
+        fresh, attempt.raised = attempt.raised > 0, 0
+        if consistent and options.penetration is not None:
+            attempt.raised = contact.adapt_stiffness(attempt.q, options.penetration, GROWTH)
+        if consistent and not attempt.raised:
+            return True
+        if attempt.updates and not consistent and not fresh:
+            attempt.damp(attempt.residual > SLOW * last)
+        if attempt.updates < options.max_updates:
+            return False
+        if options.in_passing:
+            return True
+        why = (
+            "penetration above tolerance" if attempt.raised else f"residual {attempt.residual:.1e}"
+        )
+        raise attempt.failed(
+            f"no consistent pairing after {attempt.updates} contact updates, {why}"
+        )
+
+    def _improve(self, attempt: _Attempt, in_passing: bool) -> None:
+        """Equilibrium for the current contact elements."""
+        contact, proximal, system = self.contact, self.proximal, self.newton.system
+        proximal.anchor = attempt.q
+        force = system.term_norms[system.terms.index(contact)] / np.sqrt(max(len(attempt.q) / 3, 1))
+        proximal.damping = np.where(
+            self.newton.directors, 0.0, attempt.damping * force / contact.min_radius
+        )
+        system.update_pattern()
+        self.newton.renew()
+        found, result = self.newton.solve(attempt.q)
+        attempt.count(result)
+        if not result.converged and contact.pairing.follow:
+            attempt.may_follow = False
+            return
+        if not result.converged and not result.exhausted:
+            raise attempt.failed(f"Newton: {result.reason} after {result.iterations} iterations")
+        attempt.exhausted += result.exhausted and not in_passing
+        if attempt.exhausted > EXHAUSTED:
+            raise attempt.failed(f"Newton: no convergence in {result.iterations} iterations")
+        attempt.q = found
+
+
+@dataclass
+class _Attempt:
+    """An increment in the making."""
+
+    q: Floats
+    residual: float = np.inf
+    damping: float = 0.0
+    may_follow: bool = True
+    raised: int = 0
+    exhausted: int = 0
+    updates: int = 0
+    iterations: int = 0
+    solves: int = 0
+
+    def count(self, result: NewtonResult) -> None:
+        self.updates += 1
+        self.iterations += result.iterations
+        self.solves += result.linear_solves
+
+    def damp(self, more: bool) -> None:
+        self.damping = max(4 * self.damping, FIRST_DAMPING) if more else self.damping / 2
+
+    def failed(self, reason: str) -> Diverged:
+        return Diverged(reason, self.iterations, self.solves)

@@ -54,12 +54,14 @@ class Newton:
     """Newton's method with line search for a global system.
 
     Attributes:
+        directors: Whether an unknown belongs to a director, shape (num_unknowns,).
         tolerance, max_iterations: As in the options, unless loosened for states only passed through.
     """
 
     def __init__(self, system: GlobalSystem, options: NewtonOptions, directors: np.ndarray) -> None:
         self.system = system
         self.options = options
+        self.directors = directors
         self._is_director = directors[system.constraints.free]
         self._residual = system.vector.duplicate()
         self._snes: PETSc.SNES | None = None

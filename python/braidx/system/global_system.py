@@ -19,6 +19,7 @@ class GlobalSystem:
     Attributes:
         constraints: The current constraint map.
         constraint_values: Inhomogeneous values of the constraints, shape (num_unknowns,), mm.
+        term_norms: Norm of each term in the last residual, N, shape (num_terms,).
         force_scale: Norm of the largest term of the last residual, N: what "small" is measured against.
     """
 
@@ -33,6 +34,7 @@ class GlobalSystem:
         self.terms = list(terms)
         self.constraints = constraints
         self.constraint_values = constraint_values
+        self.term_norms = np.zeros(len(terms))
         self.force_scale = 0.0
         self.q: Floats = np.zeros(len(constraint_values))
         self.vector = PETSc.Vec().createMPI((PETSc.DECIDE, self.num_free), comm=comm)
@@ -78,7 +80,8 @@ class GlobalSystem:
             term.add_residual(part)
         if self.comm.size > 1:
             self.comm.Allreduce(MPI.IN_PLACE, parts)
-        self.force_scale = float(np.sqrt((parts**2).sum(axis=1).max()))
+        self.term_norms = np.sqrt((parts**2).sum(axis=1))
+        self.force_scale = float(self.term_norms.max())
         return parts.sum(axis=0)
 
     def free_values(self, q: Floats) -> Floats:

@@ -77,8 +77,9 @@ class BodyTerm:
 class LoadTerm:
     """Dead loads on unknowns (N on positions, N mm per mm on directors), shape (num_unknowns,)."""
 
-    def __init__(self, num_unknowns: int) -> None:
+    def __init__(self, num_unknowns: int, rank: int = 0) -> None:
         self.loads = np.zeros(num_unknowns)
+        self._share = 1.0 if rank == 0 else 0.0
         self._none = np.empty(0, dtype=np.int64)
 
     def set_state(self, q: Floats) -> None:
@@ -86,7 +87,7 @@ class LoadTerm:
 
     def add_residual(self, residual: Floats) -> None:
         """See Term; the loads are given to one process only."""
-        residual -= self.loads
+        residual -= self._share * self.loads
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
@@ -98,16 +99,21 @@ class LoadTerm:
 
 
 class ProximalTerm:
-    """Viscous stabilisation gamma (q - q_start): forces against the motion since the increment began.
+    """Stabilisation of unknowns: a viscous force against departures from the predicted state, which is reported,
+    and a damping of the repetition of contact updates, which vanishes when that comes to rest.
 
     Attributes:
-        viscosity: gamma per unknown, N/mm for positions (N mm per director unit), shape (num_unknowns,).
-        start: Unknowns at the start of the increment, shape (num_unknowns,).
+        viscosity: Per unknown, N/mm for positions (N mm per director unit), shape (num_unknowns,).
+        start: Predicted unknowns of the increment, shape (num_unknowns,).
+        damping: Per unknown, in the same units, shape (num_unknowns,).
+        anchor: Unknowns at the last contact update, shape (num_unknowns,).
     """
 
     def __init__(self, num_unknowns: int, rank: int = 0) -> None:
-        self.viscosity = np.zeros(num_unknowns)
+        self.viscosity: Floats = np.zeros(num_unknowns)
+        self.damping: Floats = np.zeros(num_unknowns)
         self.start: Floats = np.zeros(num_unknowns)
+        self.anchor: Floats = self.start
         self._q: Floats = self.start
         self._mine = np.arange(num_unknowns if rank == 0 else 0)
 
@@ -116,9 +122,9 @@ class ProximalTerm:
         self._q = q
 
     def add_residual(self, residual: Floats) -> None:
-        """See Term."""
-        mine = self._mine
-        residual[mine] += self.viscosity[mine] * (self._q[mine] - self.start[mine])
+        """See Term; the forces are given to one process only."""
+        forces = self.viscosity * (self._q - self.start) + self.damping * (self._q - self.anchor)
+        residual[self._mine] += forces[self._mine]
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
@@ -126,8 +132,8 @@ class ProximalTerm:
 
     def tangent_values(self) -> Floats:
         """See Term."""
-        return self.viscosity[self._mine]
+        return (self.viscosity + self.damping)[self._mine]
 
     def work(self, q: Floats) -> float:
-        """Work that the stabilisation takes on the way from the increment's start to q, N mm = mJ."""
+        """Work that the viscous force takes on the way from the prediction to q, N mm = mJ."""
         return float(self.viscosity @ (q - self.start) ** 2)
