@@ -1,59 +1,21 @@
 #include "assembly/assemble.h"
 #include "assembly/memory.h"
+#include "bindings/elements.h"
 #include "pairing/pairing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <nanobind/nanobind.h>
-#include <nanobind/ndarray.h>
 #include <nanobind/stl/vector.h>
 
 NB_MAKE_OPAQUE(std::vector<braidx::Tube>)
 NB_MAKE_OPAQUE(std::vector<braidx::Crossing>)
 NB_MAKE_OPAQUE(braidx::ContactElements)
 
-namespace nb = nanobind;
-using namespace nb::literals;
+using namespace nanobind::literals;
 using namespace braidx;
+using namespace braidx::bindings;
 
 namespace {
-
-template <class T> using In = nb::ndarray<const T, nb::numpy, nb::c_contig, nb::device::cpu>;
-template <class T> using InOut = nb::ndarray<T, nb::numpy, nb::c_contig, nb::device::cpu>;
-
-template <class T> std::span<const T> view(const In<T>& array) {
-    return {array.data(), array.size()};
-}
-template <class T> std::span<T> view(const InOut<T>& array) {
-    return {array.data(), array.size()};
-}
-
-Vec3 vector3(const In<double>& array) {
-    return Eigen::Map<const Vec3>(array.data());
-}
-
-/// A new NumPy array of the given shape, filled by fill(data).
-template <class T, class Fill>
-auto make_array(std::initializer_list<std::size_t> shape, const Fill& fill) {
-    std::size_t size = 1;
-    for (const auto n : shape)
-        size *= n;
-    auto* data = new T[size]();
-    nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<T*>(p); });
-    fill(data);
-    return nb::ndarray<nb::numpy, T>(data, shape.size(), shape.begin(), owner);
-}
-
-template <class T, class Get>
-auto gather(const ContactElements& elements, std::size_t width, const Get& get) {
-    const auto fill = [&](T* out) {
-        for (const auto& e : elements)
-            for (std::size_t i = 0; i < width; ++i)
-                *out++ = static_cast<T>(get(e, i));
-    };
-    return width == 1 ? make_array<T>({elements.size()}, fill)
-                      : make_array<T>({elements.size(), width}, fill);
-}
 
 std::vector<Tube> make_tubes(const In<std::int64_t>& first_unknown,
                              const In<std::int32_t>& num_elements, const In<std::int32_t>& degree,
@@ -79,104 +41,6 @@ std::vector<Crossing> make_crossings(const In<std::int32_t>& tubes, const In<dou
         out.push_back(
             {t[0], t[1], w[0], w[1], w[2], w[3], order.data()[i], point, direction.normalized()});
     }
-    return out;
-}
-
-nb::dict element_arrays(const ContactElements& elements) {
-    using E = ContactElement;
-    nb::dict out;
-    out["tubes"] = gather<std::int32_t>(elements, 2,
-                                        [](const E& e, auto i) { return i ? e.tube_b : e.tube_a; });
-    out["s"] = gather<double>(elements, 2, [](const E& e, auto i) { return i ? e.s_b : e.s_a; });
-    out["station"] = gather<std::int64_t>(elements, 1, [](const E& e, auto) { return e.station; });
-    out["normal"] = gather<double>(elements, 3, [](const E& e, auto i) { return e.normal[i]; });
-    out["weight"] = gather<double>(elements, 1, [](const E& e, auto) { return e.weight; });
-    out["stiffness"] = gather<double>(elements, 1, [](const E& e, auto) { return e.stiffness; });
-    out["xi"] = gather<double>(
-        elements, 4, [](const E& e, auto i) { return i < 2 ? e.xi_a[i] : e.xi_b[i - 2]; });
-    out["slip"] = gather<double>(elements, 3, [](const E& e, auto i) { return e.slip[i]; });
-    out["work"] = gather<double>(elements, 1, [](const E& e, auto) { return e.work; });
-    out["body_b"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.body_b; });
-    out["wall"] = gather<double>(
-        elements, 6, [](const E& e, auto i) { return i < 3 ? e.wall[i] : e.wall_start[i - 3]; });
-    out["allowance"] = gather<double>(elements, 1, [](const E& e, auto) { return e.allowance; });
-    out["follows"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.follows; });
-    out["zone"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.zone; });
-    out["crossing"] =
-        gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.crossing; });
-    return out;
-}
-
-template <class T> const T* column(const nb::dict& arrays, const char* name) {
-    return nb::cast<In<T>>(arrays[name], false).data();
-}
-
-ContactElements elements_from_arrays(const nb::dict& arrays) {
-    const auto* tubes = column<std::int32_t>(arrays, "tubes");
-    const auto *s = column<double>(arrays, "s"), *normal = column<double>(arrays, "normal"),
-               *weight = column<double>(arrays, "weight"),
-               *stiffness = column<double>(arrays, "stiffness"), *xi = column<double>(arrays, "xi"),
-               *slip = column<double>(arrays, "slip"), *work = column<double>(arrays, "work"),
-               *allowance = column<double>(arrays, "allowance"),
-               *wall = column<double>(arrays, "wall");
-    const auto* station = column<std::int64_t>(arrays, "station");
-    const auto *zone = column<std::int32_t>(arrays, "zone"),
-               *body_b = column<std::int32_t>(arrays, "body_b"),
-               *follows = column<std::int32_t>(arrays, "follows"),
-               *crossing = column<std::int32_t>(arrays, "crossing");
-    ContactElements out(nb::cast<In<double>>(arrays["weight"]).size());
-    for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = {.tube_a = tubes[2 * i],
-                  .tube_b = tubes[2 * i + 1],
-                  .body_b = body_b[i],
-                  .s_a = s[2 * i],
-                  .s_b = s[2 * i + 1],
-                  .station = station[i],
-                  .normal = Eigen::Map<const Vec3>(normal + 3 * i),
-                  .follows = follows[i],
-                  .weight = weight[i],
-                  .stiffness = stiffness[i],
-                  .xi_a = {xi[4 * i], xi[4 * i + 1]},
-                  .xi_b = {xi[4 * i + 2], xi[4 * i + 3]},
-                  .slip = Eigen::Map<const Vec3>(slip + 3 * i),
-                  .work = work[i],
-                  .wall = Eigen::Map<const Vec3>(wall + 6 * i),
-                  .wall_start = Eigen::Map<const Vec3>(wall + 6 * i + 3),
-                  .allowance = allowance[i],
-                  .zone = zone[i],
-                  .crossing = crossing[i]};
-    return out;
-}
-
-nb::dict contact_results(const std::vector<Tube>& tubes, const ContactElements& elements,
-                         const In<double>& q, const In<double>& q_start, const ContactLaws& laws) {
-    const auto n = elements.size();
-    std::vector<Reaction> reactions;
-    for (const auto& e : elements)
-        reactions.push_back(reaction(tubes, e, view(q), view(q_start), laws));
-    nb::dict out;
-    const auto scalar = [&](const auto& get) {
-        return make_array<double>({n}, [&](double* p) {
-            for (const auto& r : reactions)
-                *p++ = get(r);
-        });
-    };
-    const auto vector = [&](const auto& get) {
-        return make_array<double>({n, 3}, [&](double* p) {
-            for (std::size_t i = 0; i < n; ++i)
-                Eigen::Map<Vec3>(p + 3 * i) = get(i);
-        });
-    };
-    out["gap"] = scalar([](const Reaction& r) { return r.system.gap; });
-    out["normal_force"] = scalar([](const Reaction& r) { return r.normal_force; });
-    out["friction_force"] = vector([&](std::size_t i) { return reactions[i].friction_force; });
-    out["position"] = vector([&](std::size_t i) -> Vec3 {
-        const auto& e = elements[i];
-        if (against_rigid(e))
-            return e.wall;
-        return 0.5 * (position(tubes[e.tube_a], view(q), e.s_a) +
-                      position(tubes[e.tube_b], view(q), e.s_b));
-    });
     return out;
 }
 

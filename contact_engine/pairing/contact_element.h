@@ -14,10 +14,10 @@ struct ContactElement {
     double s_a, s_b;      ///< material coordinates of both sections, in elements
     std::int64_t station; ///< identity along the pair of tubes, see stations.h
     Vec3 normal;          ///< unit, from a to b; of an element that follows: when it was made
-    int follows = 0; ///< 0: sections and normal are frozen; +1, -1: they follow the tubes, which
-                     ///< run the same way (+1) or opposite ways (-1), see assembly/facing.h
-    double weight;           ///< length of the contact line it stands for, mm
-    double stiffness;        ///< penalty per length, N/mm per mm; equal within a proximity zone
+    int follows = 0;  ///< 0: sections and normal are frozen; +1, -1: they follow the tubes, which
+                      ///< run the same way (+1) or opposite ways (-1), see assembly/facing.h
+    double weight;    ///< length of the contact line it stands for, mm
+    double stiffness; ///< penalty per length, N/mm per mm; equal within a proximity zone
     double xi_a[2] = {0, 0}; ///< transverse coordinates of the surface particles (beams), mm
     double xi_b[2] = {0, 0};
     Vec3 slip = Vec3::Zero();       ///< remembered reversible slip of b against a, mm

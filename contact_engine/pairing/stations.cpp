@@ -82,8 +82,8 @@ Vec3 TubePair::across(const Station& station) const {
 
 namespace {
 
-/// Cosine of 30 degrees: curves that run closer to each other touch along lines, and their many small minima of
-/// distance, which come and go with every motion, are left to line stations.
+/// Cosine of 30 degrees: curves that run closer to each other touch along lines, and their many
+/// small minima of distance, which come and go with every motion, are left to line stations.
 constexpr double flattest = 0.866;
 
 /// Best known half difference of a cell.
@@ -176,7 +176,8 @@ std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Sta
             continue;
         const auto at = tubes.closest(line[i].s_a * tubes.a.element_length,
                                       line[i].s_b * tubes.b.element_length);
-        const bool near = at && std::abs(at->first - line[i].s_a * tubes.a.element_length) < 3 * spacing;
+        const bool near =
+            at && std::abs(at->first - line[i].s_a * tubes.a.element_length) < 3 * spacing;
         if (near)
             add_point(out, tubes, tubes.station(at->first, at->second, spacing, point_station));
     }

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "../assembly/reaction.h"
+#include "arrays.h"
+
+/// Contact elements as a dictionary of arrays and back, and their results.
+namespace braidx::bindings {
+
+template <class T, class Get>
+auto gather(const ContactElements& elements, std::size_t width, const Get& get) {
+    const auto fill = [&](T* out) {
+        for (const auto& e : elements)
+            for (std::size_t i = 0; i < width; ++i)
+                *out++ = static_cast<T>(get(e, i));
+    };
+    return width == 1 ? make_array<T>({elements.size()}, fill)
+                      : make_array<T>({elements.size(), width}, fill);
+}
+
+inline nb::dict element_arrays(const ContactElements& elements) {
+    using E = ContactElement;
+    nb::dict out;
+    out["tubes"] = gather<std::int32_t>(elements, 2,
+                                        [](const E& e, auto i) { return i ? e.tube_b : e.tube_a; });
+    out["s"] = gather<double>(elements, 2, [](const E& e, auto i) { return i ? e.s_b : e.s_a; });
+    out["station"] = gather<std::int64_t>(elements, 1, [](const E& e, auto) { return e.station; });
+    out["normal"] = gather<double>(elements, 3, [](const E& e, auto i) { return e.normal[i]; });
+    out["weight"] = gather<double>(elements, 1, [](const E& e, auto) { return e.weight; });
+    out["stiffness"] = gather<double>(elements, 1, [](const E& e, auto) { return e.stiffness; });
+    out["xi"] = gather<double>(
+        elements, 4, [](const E& e, auto i) { return i < 2 ? e.xi_a[i] : e.xi_b[i - 2]; });
+    out["slip"] = gather<double>(elements, 3, [](const E& e, auto i) { return e.slip[i]; });
+    out["work"] = gather<double>(elements, 1, [](const E& e, auto) { return e.work; });
+    out["body_b"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.body_b; });
+    out["wall"] = gather<double>(
+        elements, 6, [](const E& e, auto i) { return i < 3 ? e.wall[i] : e.wall_start[i - 3]; });
+    out["allowance"] = gather<double>(elements, 1, [](const E& e, auto) { return e.allowance; });
+    out["follows"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.follows; });
+    out["zone"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.zone; });
+    out["crossing"] =
+        gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.crossing; });
+    return out;
+}
+
+template <class T> const T* column(const nb::dict& arrays, const char* name) {
+    return nb::cast<In<T>>(arrays[name], false).data();
+}
+
+inline ContactElements elements_from_arrays(const nb::dict& arrays) {
+    const auto* tubes = column<std::int32_t>(arrays, "tubes");
+    const auto *s = column<double>(arrays, "s"), *normal = column<double>(arrays, "normal"),
+               *weight = column<double>(arrays, "weight"),
+               *stiffness = column<double>(arrays, "stiffness"), *xi = column<double>(arrays, "xi"),
+               *slip = column<double>(arrays, "slip"), *work = column<double>(arrays, "work"),
+               *allowance = column<double>(arrays, "allowance"),
+               *wall = column<double>(arrays, "wall");
+    const auto* station = column<std::int64_t>(arrays, "station");
+    const auto *zone = column<std::int32_t>(arrays, "zone"),
+               *body_b = column<std::int32_t>(arrays, "body_b"),
+               *follows = column<std::int32_t>(arrays, "follows"),
+               *crossing = column<std::int32_t>(arrays, "crossing");
+    ContactElements out(nb::cast<In<double>>(arrays["weight"]).size());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = {.tube_a = tubes[2 * i],
+                  .tube_b = tubes[2 * i + 1],
+                  .body_b = body_b[i],
+                  .s_a = s[2 * i],
+                  .s_b = s[2 * i + 1],
+                  .station = station[i],
+                  .normal = Eigen::Map<const Vec3>(normal + 3 * i),
+                  .follows = follows[i],
+                  .weight = weight[i],
+                  .stiffness = stiffness[i],
+                  .xi_a = {xi[4 * i], xi[4 * i + 1]},
+                  .xi_b = {xi[4 * i + 2], xi[4 * i + 3]},
+                  .slip = Eigen::Map<const Vec3>(slip + 3 * i),
+                  .work = work[i],
+                  .wall = Eigen::Map<const Vec3>(wall + 6 * i),
+                  .wall_start = Eigen::Map<const Vec3>(wall + 6 * i + 3),
+                  .allowance = allowance[i],
+                  .zone = zone[i],
+                  .crossing = crossing[i]};
+    return out;
+}
+
+inline nb::dict contact_results(const std::vector<Tube>& tubes, const ContactElements& elements,
+                                const In<double>& q, const In<double>& q_start,
+                                const ContactLaws& laws) {
+    const auto n = elements.size();
+    std::vector<Reaction> reactions;
+    for (const auto& e : elements)
+        reactions.push_back(reaction(tubes, e, view(q), view(q_start), laws));
+    nb::dict out;
+    const auto scalar = [&](const auto& get) {
+        return make_array<double>({n}, [&](double* p) {
+            for (const auto& r : reactions)
+                *p++ = get(r);
+        });
+    };
+    const auto vector = [&](const auto& get) {
+        return make_array<double>({n, 3}, [&](double* p) {
+            for (std::size_t i = 0; i < n; ++i)
+                Eigen::Map<Vec3>(p + 3 * i) = get(i);
+        });
+    };
+    out["gap"] = scalar([](const Reaction& r) { return r.system.gap; });
+    out["normal_force"] = scalar([](const Reaction& r) { return r.normal_force; });
+    out["friction_force"] = vector([&](std::size_t i) { return reactions[i].friction_force; });
+    out["position"] = vector([&](std::size_t i) -> Vec3 {
+        const auto& e = elements[i];
+        if (against_rigid(e))
+            return e.wall;
+        return 0.5 * (position(tubes[e.tube_a], view(q), e.s_a) +
+                      position(tubes[e.tube_b], view(q), e.s_b));
+    });
+    return out;
+}
+
+} // namespace braidx::bindings
