@@ -1,0 +1,89 @@
+"""Newton's method: quadratic near the solution, bounded far from it, options handed through."""
+
+import numpy as np
+import pytest
+from mpi4py import MPI
+
+from braidx.bodies import CableBody
+from braidx.solver.newton import Newton, NewtonOptions
+from braidx.system.constraints import Constraints
+from braidx.system.global_system import GlobalSystem
+from braidx.system.terms import BodyTerm, LoadTerm
+
+LENGTH, NODES, TENSION, LOAD = 10.0, 11, 100.0, 3.0
+
+
+def loaded_cable(**options):
+    """A cable along z, its ends held, under a load across it in the middle."""
+    line = np.linspace([0.0, 0, 0], [0, 0, LENGTH], NODES)
+    body = CableBody(MPI.COMM_SELF, [line], axial_stiffness=1e4, tension=TENSION)
+    loads = LoadTerm(body.num_unknowns)
+    loads.loads[3 * (NODES // 2)] = LOAD
+    constraints = Constraints(body.num_unknowns)
+    constraints.hold([0, 1, 2, *range(body.num_unknowns - 3, body.num_unknowns)])
+    values = np.zeros(body.num_unknowns)
+    values[-1] = LENGTH
+    system = GlobalSystem(MPI.COMM_SELF, [BodyTerm(body, 0), loads], constraints.resolve(), values)
+    system.update_pattern()
+    newton = Newton(system, NewtonOptions(**options), np.zeros(body.num_unknowns, dtype=bool))
+    return newton, body.rest.ravel().copy()
+
+
+def sag(q):
+    return q.reshape(-1, 3)[NODES // 2, 0]
+
+
+@pytest.mark.parametrize("symmetric", [True, False])
+def test_cable_under_a_load(symmetric):
+    """2 T sin a = P, with the tension of the stretched cable."""
+    newton, q = loaded_cable(symmetric=symmetric, tolerance=1e-10)
+    q, result = newton.solve(q)
+    assert result.converged and result.residual < 1e-10
+    half = np.hypot(LENGTH / 2, sag(q))
+    tension = TENSION + 1e4 * (half / (LENGTH / 2) - 1)
+    assert 2 * tension * sag(q) / half == pytest.approx(LOAD, rel=1e-8)
+    assert newton.residual(q) == pytest.approx(result.residual, abs=1e-12)
+    assert result.iterations == result.linear_solves <= 6
+
+
+def test_held_unknowns_tell_the_reaction():
+    newton, q = loaded_cable()
+    q, _ = newton.solve(q)
+    newton.system.set_state(q)
+    ends = newton.system.residual().reshape(-1, 3)[[0, -1]]
+    assert ends[:, 0] == pytest.approx([-LOAD / 2, -LOAD / 2], rel=1e-5)
+
+
+def test_steps_are_limited():
+    steps = []
+
+    class Recording(Newton):
+        def _function(self, snes, x, f):
+            steps.append(x.array_r.copy())
+            super()._function(snes, x, f)
+
+    newton, q = loaded_cable(max_step=0.01)
+    newton.__class__ = Recording
+    _, result = newton.solve(q)
+    assert result.converged
+    assert np.abs(np.diff(steps, axis=0)).max() <= 0.01 * (1 + 1e-9)
+    assert result.iterations > 6
+
+
+def test_iterations_that_run_out_are_told():
+    newton, q = loaded_cable(max_step=0.01, max_iterations=2)
+    found, result = newton.solve(q)
+    assert not result.converged and result.iterations == 2
+    assert "max it" in result.reason
+    assert sag(found) > 0  # the last iterate
+
+
+def test_any_option_of_petsc_is_handed_through_and_does_not_stay():
+    iterative = {"ksp_type": "cg", "pc_type": "jacobi"}
+    solves = []
+    for petsc in (iterative, None):
+        newton, q = loaded_cable(petsc=petsc)
+        _, result = newton.solve(q)
+        assert result.converged
+        solves.append(result.linear_solves / result.iterations)
+    assert solves[0] > 1 and solves[1] == 1
