@@ -3,7 +3,7 @@
 Cables under one constant tension are separated by the stacking order of their strands, gaps being reduced
 step by step (eq. 6), within a die if there is one. Once no yarn is on the wrong side and the deepest
 penetration is moderate, the die is opened and the penalty raised step by step until yarns hardly penetrate. At
-last the rope comes to rest with consistent pairs and penetrations within the tolerance. A cable under constant
+last the rope comes to rest with friction, consistent pairs and penetrations within the tolerance. A cable under constant
 tension has no material memory: until it rests, nodes are spread evenly before each increment.
 """
 
@@ -31,7 +31,7 @@ PRESSED = 0.06  # penetration over radius at which nodes are no longer spread
 RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once the die is open
 RAISE_EVERY = 4
 PASSING = (1e-2, 8)  # tolerance and iterations of Newton for states that are only passed through
-REST = 4  # increments that the rope is given to come to rest, with consistent pairs
+REST = 2  # increments that the rope is given to come to rest, with consistent pairs
 RETRIES = 4  # doublings of the viscosity before forming gives up
 SNAPSHOTS = 4  # pictures on the way
 
@@ -151,6 +151,7 @@ class Former:
             options = IncrementOptions(penetration=self._tolerance)
             newton.restore_options()
             contact.laws.gap_step = -1.0
+            contact.laws.friction = [self.model.scene.contact.friction]
         for retry in range(RETRIES + 1):
             self.model.set_viscosity(self._viscosity * 2**retry)
             try:

@@ -171,6 +171,7 @@ def make_contact(comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> C
     contact.pairing.spacing = (
         options.station_spacing * float(layout.element_length.min()) / body.layout.degree
     )
+    contact.pairing.stiffness = options.penalty or 0.01 * scene.yarn.axial_stiffness / radius**2
     contact.pairing.search.margin = options.search_distance * radius
     contact.pairing.point_tolerance = options.penetration_tolerance * radius
     contact.laws.regularisation = options.regularisation * radius

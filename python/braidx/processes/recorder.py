@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -149,7 +150,8 @@ class Recorder:
         cost.phases = dict(self._costs)
         cost.peak_memory_MB = memory
         cost.unknowns, cost.contact_elements = self._unknowns, self._elements
-        cost.ranks, cost.threads = self.comm.size, 1
+        cost.ranks = self.comm.size
+        cost.threads = int(os.environ.get("OPENBLAS_NUM_THREADS") or os.cpu_count() or 1)
         summary.write(self.folder / "summary.json")
         return summary.as_dict()
 

@@ -12,11 +12,10 @@ from braidx.scene.write import to_dict
 def difference(scene: Scene, other: Scene) -> str:
     """First difference between two scenes that changes their results, empty where there is none.
 
-    What is written, what is expected and the number of threads do not count.
+    What is written and what is expected do not count.
     """
     one, two = to_dict(scene), to_dict(other)
     for tables in (one, two):
-        tables["solver"].pop("threads")
     for name in [key for key in {**one, **two} if key not in ("output", "expected")]:
         if one.get(name) != two.get(name):
             return _first_difference(name, one.get(name, {}), two.get(name, {}))

@@ -16,7 +16,7 @@ class ContactOptions(Table):
 
     friction: float = option(0.1, minimum=0.0, maximum=2.0, doc="Coefficient of friction.")
     penetration_tolerance: float = option(
-        0.01,
+        0.015,
         unit="yarn radius",
         above=0.0,
         maximum=0.5,
@@ -37,10 +37,10 @@ class ContactOptions(Table):
     )
     penalty: float | None = option(
         None,
-        unit="N/mm",
+        unit="N/mm per mm",
         above=0.0,
-        doc="First penalty coefficient k_c of a contact element; left out: from the stiffness of "
-        "the yarns. It is adapted from there.",
+        doc="First penalty per length of contact in a scene that forms no rope; left out: 1 % of "
+        "axial stiffness / radius^2. It is adapted from there.",
     )
     station_spacing: float = option(
         0.25,
@@ -64,7 +64,7 @@ class SolverOptions(Table):
     table: ClassVar[str] = "solver"
 
     tolerance: float = option(
-        1e-6,
+        1e-5,
         above=0.0,
         below=1.0,
         doc="Residual at which an equilibrium is accepted, relative to the forces in play.",
@@ -90,9 +90,6 @@ class SolverOptions(Table):
     )
     director_cap: float = option(
         0.3, above=0.0, doc="Largest change of a director in one Newton iteration."
-    )
-    threads: int = option(
-        0, minimum=0, doc="Threads of the contact engine; 0: one per core that is available."
     )
     petsc: dict[str, float | int | bool | str] = option(
         {}, doc="Any PETSc options, without the leading dash; they win over the program's own."

@@ -65,6 +65,7 @@ class Newton:
         self._is_director = directors[system.constraints.free]
         self._residual = system.vector.duplicate()
         self._snes: PETSc.SNES | None = None
+        self._norm = np.inf
         self.restore_options()
 
     def restore_options(self) -> None:
@@ -90,9 +91,7 @@ class Newton:
         factorisation.setFactorSolverType(
             "cholmod" if self.options.symmetric and serial else "mumps"
         )
-        options = PETSc.Options("braidx_")
-        for key, value in {"snes_linesearch_type": "bt", **(self.options.petsc or {})}.items():
-            options[key] = value
+        _set_options({"snes_linesearch_type": "bt", **(self.options.petsc or {})})
         snes.setFromOptions()
         self._snes = snes
 
@@ -164,6 +163,20 @@ class Newton:
         if longest > self.options.max_step:
             values *= self.options.max_step / longest
         return True
+
+
+_given: set[str] = set()
+
+
+def _set_options(values: Mapping[str, object]) -> None:
+    """Replaces the options given to PETSc, whose table is one for all: those of an earlier solver do not stay."""
+    options = PETSc.Options("braidx_")
+    for key in _given:
+        options.delValue(key)
+    for key, value in values.items():
+        options[key] = value
+    _given.clear()
+    _given.update(values)
 
 
 def _reason_name(code: int) -> str:

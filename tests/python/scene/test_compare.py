@@ -15,7 +15,6 @@ SMALL = Path(__file__).parents[3] / "demos" / "small_rope.toml"
         ("contact.friction=0.2", "contact.friction: 0.1 here, 0.2 there"),
         ("steps.pull.to_force=3", "steps.2.to_force: 5.0 here, 3.0 there"),
         ("yarn.area=1", "yarn.area: left out here, 1.0 there"),
-        ("solver.threads=2", ""),
         ("output.pictures=false", ""),
         ("expected.efficiency.reference=1", ""),
     ],
