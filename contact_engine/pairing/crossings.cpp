@@ -25,7 +25,9 @@ Vec3 oriented_normal(const TubePair& pair, const Crossing& c, double arc_a, doub
     const Vec3 tb = curve_point(pair.b, pair.q, arc_b / pair.b.element_length).tangent;
     const Vec3 along = (ta + pair.orientation * tb).normalized();
     const Vec3 radial = c.normal(middle(pair, arc_a, arc_b));
-    return (radial - radial.dot(along) * along).normalized();
+    const Vec3 across = radial - radial.dot(along) * along;
+    return across.norm() > 0.1 ? across.normalized()
+                               : radial; // yarns that run out radially keep it
 }
 
 /// The pair seen along the crossing's normal at rest arc lengths (mm).

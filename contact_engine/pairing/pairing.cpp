@@ -37,13 +37,14 @@ public:
 
     void add_zone(std::int32_t a, std::int32_t b, int orientation,
                   const std::vector<Station>& stations) {
-        const auto inside = [&](std::int32_t t, double s) {
-            return s > 0 && s < tubes_[t].num_elements;
+        const auto movable = [&](std::int32_t t, double s) {
+            return s > 0 && s < tubes_[t].num_elements &&
+                   (tubes_[t].smooth || tubes_[t].degree == 2);
         };
         const std::size_t first = elements.size();
         for (const auto& s : stations) {
             const int follows =
-                options_.follow && inside(a, s.s_a) && inside(b, s.s_b) ? orientation : 0;
+                options_.follow && movable(a, s.s_a) && movable(b, s.s_b) ? orientation : 0;
             add({.tube_a = a,
                  .tube_b = b,
                  .s_a = s.s_a,

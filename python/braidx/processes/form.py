@@ -3,8 +3,8 @@
 Cables under one constant tension are separated by the stacking order of their strands, gaps being reduced
 step by step (eq. 6), within a die if there is one. Once no yarn is on the wrong side and the deepest
 penetration is moderate, the die is opened and the penalty raised step by step until yarns hardly penetrate. At
-last the rope comes to rest with friction, consistent pairs and penetrations within the tolerance. A cable under constant
-tension has no material memory: until it rests, nodes are spread evenly before each increment.
+last the rope comes to rest with friction, consistent pairs and penetrations within the tolerance. A cable under
+constant tension has no material memory: until it rests, nodes are spread evenly before each increment.
 """
 
 from __future__ import annotations

@@ -15,7 +15,6 @@ def difference(scene: Scene, other: Scene) -> str:
     What is written and what is expected do not count.
     """
     one, two = to_dict(scene), to_dict(other)
-    for tables in (one, two):
     for name in [key for key in {**one, **two} if key not in ("output", "expected")]:
         if one.get(name) != two.get(name):
             return _first_difference(name, one.get(name, {}), two.get(name, {}))

@@ -33,7 +33,7 @@ class IncrementOptions:
 
     pairing_tolerance: float = 1e-3
     penetration: float | None = None
-    max_updates: int = 25
+    max_updates: int = 40
     in_passing: bool = False
 
 

@@ -48,11 +48,11 @@ Stations stations_of(const Rods& rods, double spacing) {
 
 } // namespace
 
-TEST_CASE("rods that cross have a contact at their crossing, 5 to 175 degrees",
+TEST_CASE("rods that cross at more than 30 degrees have a contact at their crossing",
           "[point_stations]") {
     Random random;
     for (const auto& kind : all_kinds)
-        for (int degrees = 5; degrees < 180; degrees += 5) {
+        for (int degrees = 35; degrees < 150; degrees += 5) {
             const double angle = degrees * std::numbers::pi / 180;
             const double off_a = random.uniform(-3, 3), off_b = random.uniform(-3, 3);
             const Rods rods = crossing_rods(kind, angle, off_a, off_b);
@@ -63,8 +63,6 @@ TEST_CASE("rods that cross have a contact at their crossing, 5 to 175 degrees",
                 for (const auto& s : stations)
                     nearest = std::min(nearest, found.pair.across(s).norm());
             CHECK(nearest < 1.98 + 1.01 * tolerance);
-            if (degrees < 20 || degrees > 160)
-                continue;
             REQUIRE(found.point.size() == 1);
             const auto& s = found.point[0];
             CHECK(s.index == point_station);
