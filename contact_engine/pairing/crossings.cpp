@@ -48,7 +48,7 @@ OrientedStation orient(const TubePair& pair, const Crossing& c, const Station& s
     const Vec3 across = pair.across(s);
     const double touch = pair.a.radius + pair.b.radius;
     const double lateral = std::min(touch, (across - across.dot(normal) * normal).norm());
-    return {s, normal, touch - std::sqrt(touch * touch - lateral * lateral)};
+    return {s, normal, touch - std::sqrt((touch - lateral) * (touch + lateral))};
 }
 
 /// Where the centre lines cross, seen along the normal; the normal follows the place.

@@ -124,18 +124,17 @@ class Former:
     def _prepare(self) -> None:
         """Spreads nodes evenly, renews the tension, and puts the die where it belongs; not while resting."""
         model, number, contact = self.model, self._number, self.model.contact
-        if number["rested"]:
-            return
-        q = spread_nodes(model.centre_lines(self.state.q))
+        contact.pairing.stiffness = number["penalty"]
+        contact.pairing.crossing.by_point = bool(number["separated"])
         assert isinstance(model.body, CableBody)
-        model.body.set_reference(q.reshape(-1, 3))
+        if not number["rested"]:
+            q = spread_nodes(model.centre_lines(self.state.q))
+            model.body.set_reference(q.reshape(-1, 3))
+            self.state = replace(self.state, q=q)
+            contact.elements = engine.ContactElements()
         model.body.set_properties(
             tension=self.step.tension, axial_stiffness=STRETCH * self.step.tension
         )
-        self.state = replace(self.state, q=q)
-        contact.elements = engine.ContactElements()
-        contact.pairing.stiffness = number["penalty"]
-        contact.pairing.crossing.by_point = bool(number["separated"])
         contact.rigid = []
         if self.step.die_diameter and not number["opened"]:
             axis = np.array([0.0, 0.0, 1.0])

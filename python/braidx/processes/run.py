@@ -113,6 +113,7 @@ def make_model(comm: MPI.Comm, scene: Scene, rope: Rope, state: State) -> RopeMo
         stiffness = scene.yarn.axial_stiffness if state.model == "cable" else 1.0
         body = cable_body(comm, scene, reference, stiffness, state.rest_tension)
     model = RopeModel(comm, scene, rope, body)
+    model.contact.start = model.proximal.start = state.q
     if state.contacts:
         model.contact.restore_arrays(state.contacts)
     return model
