@@ -97,7 +97,9 @@ class Contact:
             contact elements.
         """
         work, penetration = engine.commit(self.tubes, self.elements, q, self.start, self.laws)
-        self.start = q  # the slip of the increment is remembered now: forces at q stay what they are
+        self.start = (
+            q  # the slip of the increment is remembered now: forces at q stay what they are
+        )
         return (
             self.comm.allreduce(work),
             self.comm.allreduce(penetration, op=MPI.MAX),

@@ -33,7 +33,11 @@ class RopeModel:
     """
 
     def __init__(
-        self, comm: MPI.Comm, scene: Scene, rope: Rope, body: CableBody | BeamBody
+        self,
+        comm: MPI.Comm,
+        scene: Scene,
+        rope: Rope,
+        body: CableBody | BeamBody,
     ) -> None:
         self.comm, self.scene, self.rope, self.body = comm, scene, rope, body
         size = body.num_unknowns
@@ -89,7 +93,11 @@ class RopeModel:
 
 
 def cable_body(
-    comm: MPI.Comm, scene: Scene, lines: Sequence[Floats], axial_stiffness: float, tension: Floats
+    comm: MPI.Comm,
+    scene: Scene,
+    lines: Sequence[Floats],
+    axial_stiffness: float,
+    tension: Floats | float,
 ) -> CableBody:
     """Yarns as cables along the given centre lines."""
     return CableBody(

@@ -39,7 +39,11 @@ class Recorder:
     ) -> None:
         self.comm, self.scene, self.rope, self.folder = comm, scene, rope, folder
         self.first = comm.rank == 0
-        self._results: dict[str, float] = dict(resumed.results) if resumed else {}
+        self._results = (
+            {name: resumed.results[name] for name in STATE_RESULTS if name in resumed.results}
+            if resumed
+            else {}
+        )
         self._costs: Mapping[str, PhaseCost] = resumed.costs if resumed else {}
         self._unknowns = self._elements = 0
         self._internal_energy = 0.0

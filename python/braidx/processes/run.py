@@ -107,12 +107,17 @@ def make_model(comm: MPI.Comm, scene: Scene, rope: Rope, state: State) -> RopeMo
     """The rope in the model that a state belongs to, with the state's contact history."""
     block = 9 if state.model == "beam" else 3
     reference = np.split(state.reference.reshape(-1, block)[:, :3], rope.num_yarns)
-    if state.model == "beam":
-        body: Any = beam_body(comm, scene, reference)
+    body: Any
+    if state.model == "forming":
+        # Material coordinates are those of the start, wherever nodes were spread to.
+        body = cable_body(comm, scene, rope.centre_lines, 1.0, 0.0)
+    elif state.model == "cable":
+        body = cable_body(comm, scene, reference, scene.yarn.axial_stiffness, state.rest_tension)
     else:
-        stiffness = scene.yarn.axial_stiffness if state.model == "cable" else 1.0
-        body = cable_body(comm, scene, reference, stiffness, state.rest_tension)
+        body = beam_body(comm, scene, reference)
     model = RopeModel(comm, scene, rope, body)
+    if state.model == "forming":
+        body.set_reference(state.reference.reshape(-1, block))
     model.contact.start = model.proximal.start = state.q
     if state.contacts:
         model.contact.restore_arrays(state.contacts)

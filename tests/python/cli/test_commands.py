@@ -112,7 +112,7 @@ def test_a_resume_of_another_scene_names_what_differs(invoke, processes):
     (line,) = invoke(*words, "contact.friction=0.3", code=2).stderr.splitlines()
     assert "contact.friction: 0.3 here, 0.1 there" in line
     assert len(processes.calls) == 1
-    invoke(*words, "solver.threads=2")
+    invoke(*words, "output.every=2")
     invoke("run", "mine/scene.toml", "--out", "mine", "--resume")
 
 
