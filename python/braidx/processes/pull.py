@@ -41,7 +41,7 @@ class Puller:
             penetration=scene.contact.penetration_tolerance * model.rope.radius.min()
         )
         self._max_cuts = scene.solver.max_cuts
-        model.set_viscosity(scene.solver.viscosity, scene.solver.director_viscosity)
+        self._stabilise(0)
 
     def to(self, strain: float) -> Attempt:
         """Solves for a strain, or for one on the way there if that increment has to be cut.
@@ -61,7 +61,9 @@ class Puller:
                 if cuts > self._max_cuts:
                     raise self._give_up(self.strain + step, failure) from failure
                 step /= 2
+                self._stabilise(cuts)
                 continue
+            self._stabilise(0)
             self._take(increment, self.strain + step)
             return Attempt(
                 increment,
@@ -70,6 +72,12 @@ class Puller:
                 iterations + increment.iterations,
                 solves + increment.linear_solves,
             )
+
+    def _stabilise(self, cuts: int) -> None:
+        """Viscosity grows fourfold with every cut: a rope at rest cannot be helped by smaller steps."""
+        solver = self.model.scene.solver
+        factor = 4.0**cuts
+        self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
 
     def force(self) -> float:
         """Force on the rope now, N."""
