@@ -181,6 +181,7 @@ def make_contact(comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> C
     )
     contact.pairing.stiffness = options.penalty or 0.01 * scene.yarn.axial_stiffness / radius**2
     contact.pairing.search.margin = options.search_distance * radius
+    contact.pairing.crossing.by_point = True
     contact.pairing.point_tolerance = options.penetration_tolerance * radius
     contact.laws.regularisation = options.regularisation * radius
     contact.laws.reversible_slip = options.reversible_slip * radius

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import zipfile
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..output.summary import PhaseCost
+from ..scene import SceneError
 from ..system.constraints import Floats
 
 FILE = "checkpoint.npz"
@@ -79,17 +81,25 @@ def save(state: State, folder: Path) -> None:
 
 
 def load(folder: Path) -> State | None:
-    """The checkpoint of a folder, None if there is none yet."""
+    """The checkpoint of a folder, None if there is none yet.
+
+    Raises:
+        SceneError: If it cannot be read.
+    """
     path = folder / FILE
     if not path.exists():
         return None
-    with np.load(path) as data:
-        numbers = json.loads(str(data["numbers"]))
-        contacts = {
-            name.removeprefix("contacts_"): data[name]
-            for name in data
-            if name.startswith("contacts_")
-        }
-        arrays = {name: data[name] for name in ARRAYS}
-    numbers["costs"] = {name: PhaseCost(**cost) for name, cost in numbers["costs"].items()}
-    return State(contacts=contacts, **arrays, **numbers)
+    try:
+        with np.load(path) as data:
+            numbers = json.loads(str(data["numbers"]))
+            contacts = {
+                name.removeprefix("contacts_"): data[name]
+                for name in data
+                if name.startswith("contacts_")
+            }
+            arrays = {name: data[name] for name in ARRAYS}
+        numbers["costs"] = {name: PhaseCost(**cost) for name, cost in numbers["costs"].items()}
+        return State(contacts=contacts, **arrays, **numbers)
+    except (OSError, ValueError, LookupError, TypeError, zipfile.BadZipFile) as error:
+        cure = f"{path} cannot be read ({error}); leave --resume out and choose another --out."
+        raise SceneError("--resume", cure) from None
