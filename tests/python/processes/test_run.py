@@ -1,0 +1,74 @@
+"""A run of the small rope: what it finds, on how many processes, and what it leaves when it fails."""
+
+import re
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from braidx.processes import state
+from braidx.scene import load_scene
+
+SMALL = Path(__file__).parents[3] / "demos" / "small_rope.toml"
+
+
+def test_expected_values_are_met(whole_run):
+    summary = whole_run.summary
+    assert summary["converged"]
+    scene = load_scene(whole_run.folder / "scene.toml")
+    assert set(scene.expected) <= set(summary["results"])
+    missed = {name: r for name, r in summary["results"].items() if r["met"] is False}
+    assert not missed
+
+
+def test_history_has_a_row_per_increment(whole_run):
+    rows, phases = whole_run.history, whole_run.summary["cost"]["phases"]
+    count = sum(phase["increments"] for phase in phases.values())
+    np.testing.assert_array_equal(rows["increment"], np.arange(1, count + 1))
+    newton = sum(phase["newton_iterations"] for phase in phases.values())
+    assert rows["Newton iterations"].sum() == newton
+    steps = [str(step) for step in rows["step"]]
+    assert list(dict.fromkeys(steps)) == ["1 form", "2 settle", "3 pull"]
+    assert rows["force (kN)"][-1] == pytest.approx(5.0, rel=5e-3)
+    assert np.all(np.diff(rows["friction work (mJ)"]) >= 0)
+
+
+def test_the_last_state_is_kept(whole_run):
+    last = state.load(whole_run.folder)
+    assert last is not None and last.increment == whole_run.history["increment"][-1]
+    assert last.model == "cable" and last.step == 3
+    assert {p.suffix for p in (whole_run.folder / "snapshots").iterdir()} == {".npz"}
+
+
+@pytest.mark.skipif(shutil.which("mpirun") is None, reason="needs mpirun")
+def test_two_processes_find_what_one_does(run, whole_run, tmp_path):
+    parallel = run(tmp_path / "parallel", ranks=2)
+    assert parallel.code == 0, parallel.stderr
+    assert parallel.summary["cost"]["ranks"] == 2
+    one, two = whole_run.values, parallel.values
+    assert two["wrong_side_crossings"] == one["wrong_side_crossings"] == 0
+    for name in ("rope_axial_stiffness", "outer_diameter_loaded", "yarn_stress_mean"):
+        assert two[name] == pytest.approx(one[name], rel=1e-6)
+
+
+def test_a_diverged_run_keeps_what_it_had(run, tmp_path):
+    """Forming ends well; then the rope is pushed together: cables find no equilibrium."""
+    scene = tmp_path / "pushed.toml"
+    pushed = "to_strain = -0.4\nstrain_increment = 0.09"
+    scene.write_text(SMALL.read_text("utf-8").replace("to_force = 5.0", pushed), "utf-8")
+    failed = run(tmp_path / "failed", "--set", "solver.max_cuts=0", scene=scene)
+    print(failed.stderr)
+    assert failed.code == 3
+    message = failed.stderr.splitlines()[-1]
+    assert message.startswith("braidx: no equilibrium at rope strain -0.09")
+    assert (
+        re.search(r"between yarns (\d+-\d+, )*\d+-\d+", message) and str(failed.folder) in message
+    )
+    assert failed.summary["converged"] is False
+    assert failed.values["wrong_side_crossings"] == 0
+    last = state.load(failed.folder)
+    assert last is not None and last.step == 2
+    assert last.increment == failed.history["increment"][-1] > 0
+    again = run(failed.folder, "--resume", "--set", "solver.max_cuts=0", scene=scene)
+    assert again.code == 3
