@@ -45,7 +45,11 @@ def command(folder, *words, scene=SMALL, ranks=1):
 
 def environment():
     """That of this process; ranks on one machine, and one thread each, so that they do not fight."""
-    return os.environ | {"OMPI_MCA_btl": "self,sm", "OMPI_MCA_mpi_yield_when_idle": "1"}
+    return os.environ | {
+        "OMPI_MCA_btl": "self,sm",
+        "OMPI_MCA_mpi_yield_when_idle": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+    }
 
 
 @pytest.fixture(scope="session")
