@@ -26,6 +26,11 @@ STATE_RESULTS = {
     "stabilisation_work_share": "-",
 }
 
+FIRST_PULL = (
+    "outer_diameter_loaded",
+    *(name for name in STATE_RESULTS if name.startswith("yarn_stress")),
+)
+
 
 def state_results(name: str, picture: Snapshot, wrong: int, forming: bool) -> dict[str, float]:
     """Results of a state worth a picture; stresses and loaded diameter are those of the first pull."""

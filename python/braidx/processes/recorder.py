@@ -22,7 +22,7 @@ from ..output.summary import PhaseCost, Summary, peak_memory_MB
 from ..scene import Form, Scene, Step
 from . import state as checkpoint
 from .form import wrong_side_crossings
-from .measurements import STATE_RESULTS, final_results, state_results
+from .measurements import FIRST_PULL, STATE_RESULTS, final_results, state_results
 from .model import RopeModel
 from .outcome import Outcome
 from .state import State
@@ -86,7 +86,9 @@ class Recorder:
         self._results |= {"stabilisation_work_share": share, "friction_work": state.friction_work}
         if outcome.snapshot and picture is not None:
             wrong = wrong_side_crossings(model, state.q)
-            self._results |= state_results(outcome.snapshot, picture, wrong, isinstance(step, Form))
+            found = state_results(outcome.snapshot, picture, wrong, isinstance(step, Form))
+            first = {name: self._results[name] for name in FIRST_PULL if name in self._results}
+            self._results |= found | first  # of several pulls the first one counts
         state.results.update(self._results)
         self._costs = state.costs
         self.checkpoint(state)
