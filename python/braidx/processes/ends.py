@@ -12,7 +12,7 @@ from ..system.constraints import ConstraintMap, Constraints, Floats
 class Ends:
     """Constraints on the first and the last node of each yarn.
 
-    Axially the first section stays and the last one moves as one rigid plane. Across, each yarn's last
+    Axially the first section stays and the last one is moved as one plane. Across, each yarn's last
     node follows its first (periodic), both stay (fixed), or are free.
     """
 
@@ -36,16 +36,6 @@ class Ends:
             constraints.hold(section)
             values[section] = self._rest[section]
         values[self.last_axial] += strain * self.length
-        return constraints.resolve(), values
-
-    def pulled(self) -> tuple[ConstraintMap, Floats]:
-        """The last section tied to one rigid plane, free to move along the axis (a force may act on it)."""
-        constraints, values = self._across()
-        constraints.hold(self._first + 2)
-        values[self._first + 2] = self._rest[self._first + 2]
-        leader, followers = self.last_axial[0], self.last_axial[1:]
-        constraints.tie(followers, leader)
-        values[followers] = self._rest[followers] - self._rest[leader]
         return constraints.resolve(), values
 
     def _across(self) -> tuple[Constraints, Floats]:

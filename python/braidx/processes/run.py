@@ -128,12 +128,11 @@ def make_model(comm: MPI.Comm, scene: Scene, rope: Rope, state: State) -> RopeMo
 
 def _run_steps(comm: MPI.Comm, scene: Scene, rope: Rope, state: State, recorder: Recorder) -> State:
     model: RopeModel | None = None
-    formed_force = state.results.get("formed_force", 0.0)
     while state.step < len(scene.steps):
         step = scene.steps[state.step]
         if state.model == "forming" and not isinstance(step, Form):
             force = 1e3 * step.force if isinstance(step, Settle) else REST_FORCE
-            state = in_own_model(scene, state, force, formed_force)
+            state = in_own_model(scene, state, force, state.results.get("formed_force", 0.0))
             model = None
         if model is None:
             model = make_model(comm, scene, rope, state)
@@ -144,9 +143,7 @@ def _run_steps(comm: MPI.Comm, scene: Scene, rope: Rope, state: State, recorder:
             state = _counted(outcome, state, step, seconds)
             recorder.record(model, step, replace(outcome, state=state), seconds)
             clock = time.perf_counter()
-            if isinstance(step, Form):
-                formed_force = outcome.force
-        state = replace(state.next_step(), results={**state.results, "formed_force": formed_force})
+        state = state.next_step()
         recorder.checkpoint(state)
     return state
 
