@@ -98,8 +98,8 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("crossing", &PairingOptions::crossing)
         .def_rw("spacing", &PairingOptions::spacing)
         .def_rw("point_tolerance", &PairingOptions::point_tolerance)
+        .def_rw("keep_points", &PairingOptions::keep_points)
         .def_rw("stiffness", &PairingOptions::stiffness)
-        .def_rw("follow", &PairingOptions::follow)
         .def_rw("keep_side", &PairingOptions::keep_side)
         .def_rw("part", &PairingOptions::part)
         .def_rw("num_parts", &PairingOptions::num_parts);
@@ -185,6 +185,8 @@ NB_MODULE(braidx_engine, m) {
            double tolerance,
            double growth) { return adapt_stiffness(tubes, elements, view(q), tolerance, growth); },
         "tubes"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a);
+    m.def("freeze_sections", &freeze_sections, "elements"_a);
+    m.def("scale_stiffness", &scale_stiffness, "elements"_a, "factor"_a);
     m.def("contact_results", &contact_results, "tubes"_a, "elements"_a, "q"_a, "q_start"_a,
           "laws"_a);
     m.def("crossing_heights", &heights, "tubes"_a, "crossings"_a, "q"_a);

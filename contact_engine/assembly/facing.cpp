@@ -53,4 +53,9 @@ Facing facing(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns 
     return out;
 }
 
+void freeze_sections(ContactElements& elements) {
+    for (auto& e : elements)
+        e.follows = 0;
+}
+
 } // namespace braidx

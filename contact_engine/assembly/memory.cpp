@@ -26,6 +26,16 @@ Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unkn
     return out;
 }
 
+namespace {
+
+/// Factor beyond the penalty that would just do: forces grow from increment to increment, and each
+/// raise costs a new equilibrium.
+constexpr double headroom = 1.5;
+/// Zones that come this close to the tolerance are raised with those beyond it.
+constexpr double soon = 0.8;
+
+} // namespace
+
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
                     double tolerance, double growth) {
     std::unordered_map<std::int32_t, double> deepest;
@@ -33,11 +43,21 @@ int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, U
         auto& d = deepest[e.zone];
         d = std::max(d, -local_system(tubes, e, q).gap);
     }
+    const auto count = [&](double limit) {
+        return static_cast<int>(
+            std::ranges::count_if(deepest, [&](const auto& d) { return d.second > limit; }));
+    };
+    if (count(tolerance) == 0)
+        return 0;
     for (auto& e : elements)
-        if (const double ratio = deepest[e.zone] / tolerance; ratio > 1)
-            e.stiffness *= std::min(growth, 1.2 * ratio);
-    return static_cast<int>(
-        std::ranges::count_if(deepest, [&](const auto& d) { return d.second > tolerance; }));
+        if (const double ratio = deepest[e.zone] / tolerance; ratio > soon)
+            e.stiffness *= std::min(growth, headroom * ratio);
+    return count(soon * tolerance);
+}
+
+void scale_stiffness(ContactElements& elements, double factor) {
+    for (auto& e : elements)
+        e.stiffness *= factor;
 }
 
 } // namespace braidx

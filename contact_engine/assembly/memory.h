@@ -14,9 +14,12 @@ struct Committed {
 Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
                  Unknowns q_start, const ContactLaws& laws);
 
-/// Penalty of each proximity zone grows until its deepest penetration is under `tolerance` (mm); a
-/// zone grows by `growth` at most per call. Returns the number of zones changed.
+/// Where a proximity zone penetrates deeper than `tolerance` (mm), penalties of all that do, or are
+/// about to, grow so that they will not, by `growth` at most. Returns the number of zones changed.
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
                     double tolerance, double growth);
+
+/// Multiplies the penalties of all contact elements.
+void scale_stiffness(ContactElements& elements, double factor);
 
 } // namespace braidx

@@ -43,8 +43,7 @@ public:
         };
         const std::size_t first = elements.size();
         for (const auto& s : stations) {
-            const int follows =
-                options_.follow && movable(a, s.s_a) && movable(b, s.s_b) ? orientation : 0;
+            const int follows = movable(a, s.s_a) && movable(b, s.s_b) ? orientation : 0;
             add({.tube_a = a,
                  .tube_b = b,
                  .s_a = s.s_a,
@@ -174,31 +173,50 @@ bool covers(const ProximityZone& zone, const Station& s) {
     });
 }
 
-/// Point stations of before stay while their closest approach exists, whether or not one would be
-/// made there now: stations that come and go with every update would keep the rope from coming to
-/// rest.
-void keep_points(std::vector<Station>& points, const TubePair& pair, const ProximityZone& zone,
-                 const History& history) {
+/// Point stations of before, at the closest approaches they have now. Their weights stay while the
+/// equilibrium of an increment is being found: a weight and the shape of the yarns that it depends
+/// on would chase each other.
+std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone,
+                                 const History& history, double spacing) {
+    std::vector<Station> out;
     history.for_each(zone.tube_a, zone.tube_b, [&](const ContactElement& old) {
         if (old.station != point_station)
             return;
-        const auto at =
-            pair.closest(old.s_a * pair.a.element_length, old.s_b * pair.b.element_length);
-        if (!at)
-            return;
-        const auto kept = pair.station(at->first, at->second, old.weight, point_station);
+        const double arc_a = old.s_a * pair.a.element_length,
+                     arc_b = old.s_b * pair.b.element_length;
+        auto at = pair.closest(arc_a, arc_b).value_or(std::pair(arc_a, arc_b));
+        if (std::abs(at.first - arc_a) > spacing)
+            at = {arc_a, arc_b};
+        const auto kept = pair.station(at.first, at.second, old.weight, point_station);
         if (covers(zone, kept))
-            add_point(points, pair, kept);
+            add_point(out, pair, kept, spacing);
     });
+    return out;
+}
+
+/// Closest approaches along line stations and near point stations of before.
+std::vector<Station> new_points(const TubePair& pair, const ProximityZone& zone,
+                                const std::vector<Station>& line, const History& history,
+                                const PairingOptions& options) {
+    auto out = point_stations(pair, line, options.spacing, options.point_tolerance);
+    for (const auto& old : kept_points(pair, zone, history, options.spacing)) {
+        const auto at = point_station_near(pair, old.s_a * pair.a.element_length,
+                                           old.s_b * pair.b.element_length, options.spacing,
+                                           options.point_tolerance);
+        if (at && covers(zone, *at))
+            add_point(out, pair, *at, options.spacing);
+    }
+    return out;
 }
 
 void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone,
               const Unseparated& unseparated, Unknowns q, const PairingOptions& options) {
     const TubePair pair{tubes[zone.tube_a], tubes[zone.tube_b], q, zone.orientation};
-    auto stations = line_stations(pair, zone.pairs, options.spacing);
-    auto points = point_stations(pair, stations, options.spacing, options.point_tolerance);
-    keep_points(points, pair, zone, builder.history());
-    stations.insert(stations.end(), points.begin(), points.end());
+    auto line = line_stations(pair, zone.pairs, options.spacing);
+    const auto points = options.keep_points
+                            ? kept_points(pair, zone, builder.history(), options.spacing)
+                            : new_points(pair, zone, line, builder.history(), options);
+    auto stations = share_length(std::move(line), points, pair);
     const double reach = pair.a.radius + pair.b.radius + options.search.margin;
     const auto [first, last] = unseparated.equal_range({zone.tube_a, zone.tube_b});
     std::erase_if(stations, [&](const Station& s) {

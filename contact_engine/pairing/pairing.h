@@ -13,8 +13,8 @@ struct PairingOptions {
     double spacing = 1.0; ///< of line stations, mm
     double point_tolerance =
         0.005; ///< approach that line stations may miss before a point station is added, mm
-    double stiffness = 1000; ///< first penalty per length of a new zone, N/mm per mm
-    bool follow = true;      ///< sections and normals follow the tubes during Newton's iteration
+    bool keep_points = false; ///< point stations are those of before, with their weights
+    double stiffness = 1000;  ///< first penalty per length of a new zone, N/mm per mm
     bool keep_side =
         true;     ///< tubes never pass through each other; off while a shape is being found
     int part = 0; ///< this process makes the pairs of tubes of one part

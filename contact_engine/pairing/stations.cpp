@@ -55,13 +55,24 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
             best_distance = distance;
             best = {arc_a, arc_b};
         }
-        const double det = aa * bb - ab * ab;
+        // Full Newton where the distance is convex; seen along a direction it vanishes, and
+        // curvature does not matter.
+        double haa = aa, hbb = bb;
+        if (metric.isIdentity()) {
+            haa -= d.dot(curve_bend(a, q, arc_a / a.element_length));
+            hbb += d.dot(curve_bend(b, q, arc_b / b.element_length));
+        }
+        if (haa <= 0 || haa * hbb - ab * ab < 1e-6 * aa * bb) {
+            haa = aa;
+            hbb = bb;
+        }
+        const double det = haa * hbb - ab * ab;
         if (det < 1e-6 * aa * bb)
             return std::nullopt;
         const double da = ta.dot(d), db = tb.dot(d);
         const double limit = std::min(a.element_length, b.element_length);
-        const double step_a = std::clamp((da * bb - db * ab) / det, -limit, limit);
-        const double step_b = std::clamp((da * ab - db * aa) / det, -limit, limit);
+        const double step_a = std::clamp((da * hbb - db * ab) / det, -limit, limit);
+        const double step_b = std::clamp((da * ab - db * haa) / det, -limit, limit);
         arc_a += step_a;
         arc_b += step_b;
         if (std::abs(step_a) + std::abs(step_b) < 1e-10 * limit)
@@ -69,6 +80,17 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
                                                         : std::nullopt;
     }
     return best; // kinks, and curves that bend more than they cross, keep the steps jumping
+}
+
+double TubePair::sharpness(double arc_a, double arc_b) const {
+    const double s_a = arc_a / a.element_length, s_b = arc_b / b.element_length;
+    const auto pa = curve_point(a, q, s_a), pb = curve_point(b, q, s_b);
+    const Vec3 d = pb.position - pa.position;
+    const double aa = pa.tangent.squaredNorm(), bb = pb.tangent.squaredNorm(),
+                 cosine = pa.tangent.dot(pb.tangent) / std::sqrt(aa * bb),
+                 along_a = 1 - d.dot(curve_bend(a, q, s_a)) / aa,
+                 along_b = 1 + d.dot(curve_bend(b, q, s_b)) / bb;
+    return 0.5 * (along_a + along_b) - std::hypot(0.5 * (along_a - along_b), cosine);
 }
 
 Station TubePair::station(double arc_a, double arc_b, double weight, std::int64_t index) const {
@@ -82,9 +104,9 @@ Vec3 TubePair::across(const Station& station) const {
 
 namespace {
 
-/// Cosine of 30 degrees: curves that run closer to each other touch along lines, and their many
-/// small minima of distance, which come and go with every motion, are left to line stations.
-constexpr double flattest = 0.866;
+/// Sharpness below which no approach gets a point station: on curves that run along each other, or
+/// wind around each other, small minima of the distance move far with every motion.
+constexpr double flattest = 0.08;
 
 /// Best known half difference of a cell.
 struct Guess {
@@ -145,12 +167,28 @@ std::vector<Station> line_stations(const TubePair& tubes, const std::vector<Elem
     return out;
 }
 
-void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point) {
+void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point,
+               double spacing) {
     const bool taken = std::ranges::any_of(points, [&](const Station& p) {
-        return std::abs(p.s_a - point.s_a) * tubes.a.element_length < 0.5 * point.weight;
+        return std::abs(p.s_a - point.s_a) * tubes.a.element_length < 0.5 * spacing;
     });
     if (!taken)
         points.push_back(point);
+}
+
+std::optional<Station> point_station_near(const TubePair& tubes, double arc_a, double arc_b,
+                                          double spacing, double tolerance) {
+    const auto at = tubes.closest(arc_a, arc_b);
+    if (!at || std::abs(at->first - arc_a) > 3 * spacing)
+        return std::nullopt;
+    // Half a spacing away along the mean curve the distance has grown by sharpness (spacing / 2)^2
+    // / d.
+    const double missed = tolerance * (tubes.a.radius + tubes.b.radius) * 4 / (spacing * spacing);
+    const double share = tubes.sharpness(at->first, at->second) / std::max(flattest, missed);
+    const double x = std::clamp((share - 0.6) / 0.6, 0.0, 1.0);
+    if (x == 0)
+        return std::nullopt;
+    return tubes.station(at->first, at->second, spacing * x * x * (3 - 2 * x), point_station);
 }
 
 std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Station>& line,
@@ -166,22 +204,30 @@ std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Sta
         };
         if (!lower_than(i - 1, -1) || !lower_than(i + 1, 1))
             continue;
-        const Vec3 ta =
-            (tubes.metric * curve_point(tubes.a, tubes.q, line[i].s_a).tangent).normalized();
-        const Vec3 tb =
-            (tubes.metric * curve_point(tubes.b, tubes.q, line[i].s_b).tangent).normalized();
-        const double cosine = std::abs(ta.dot(tb));
-        const double sideways = spacing * spacing * (1 - cosine) / (1 + cosine);
-        if (cosine > flattest || sideways < 2 * (tubes.a.radius + tubes.b.radius) * tolerance)
-            continue;
-        const auto at = tubes.closest(line[i].s_a * tubes.a.element_length,
-                                      line[i].s_b * tubes.b.element_length);
-        const bool near =
-            at && std::abs(at->first - line[i].s_a * tubes.a.element_length) < 3 * spacing;
-        if (near)
-            add_point(out, tubes, tubes.station(at->first, at->second, spacing, point_station));
+        const auto point =
+            point_station_near(tubes, line[i].s_a * tubes.a.element_length,
+                               line[i].s_b * tubes.b.element_length, spacing, tolerance);
+        if (point)
+            add_point(out, tubes, *point, spacing);
     }
     return out;
+}
+
+std::vector<Station> share_length(std::vector<Station> line, const std::vector<Station>& points,
+                                  const TubePair& tubes) {
+    const auto mean = [&](const Station& s) {
+        return 0.5 * (s.s_a * tubes.a.element_length +
+                      tubes.orientation * s.s_b * tubes.b.element_length);
+    };
+    for (auto& s : line) {
+        const double low = mean(s) - 0.5 * s.weight, high = mean(s) + 0.5 * s.weight;
+        for (const auto& p : points)
+            s.weight -= std::max(0.0, std::min(high, mean(p) + 0.5 * p.weight) -
+                                          std::max(low, mean(p) - 0.5 * p.weight));
+    }
+    std::erase_if(line, [](const Station& s) { return s.weight <= 0; });
+    line.insert(line.end(), points.begin(), points.end());
+    return line;
 }
 
 } // namespace braidx

@@ -36,6 +36,12 @@ struct TubePair {
     /// Closest points near the rest arc lengths given, mm; nothing where they leave the tubes.
     std::optional<std::pair<double, double>> closest(double arc_a, double arc_b) const;
 
+    /// How sharp a minimum of the distance is at rest arc lengths (mm): lowest eigenvalue of its
+    /// second derivative times the distance, per squared arc length. Straight lines that cross at
+    /// an angle have 1 - cos(angle); a curve that winds around the other has 0, and no closest
+    /// point.
+    double sharpness(double arc_a, double arc_b) const;
+
     /// Station at rest arc lengths (mm).
     Station station(double arc_a, double arc_b, double weight, std::int64_t index) const;
 
@@ -50,10 +56,24 @@ std::vector<Station> line_stations(const TubePair& tubes, const std::vector<Elem
 /// Adds a point station unless one stands nearer than half its length already.
 void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point);
 
-/// Point stations at the interior minima of the distance along line stations (sorted by index),
-/// where the curves cross at an angle that makes line stations miss more than `tolerance` (mm) of
-/// the approach.
+/// Adds a point station unless one stands nearer than half a spacing already.
+void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point,
+               double spacing);
+
+/// Point station at the closest approach near rest arc lengths (mm). Its weight grows from nothing
+/// to a whole spacing with the sharpness of the approach, between 0.6 and 1.2 times that at which
+/// line stations miss `tolerance` (mm) of it: stations that came and went at once would keep a rope
+/// from coming to rest. Nothing where line stations see the approach well enough.
+std::optional<Station> point_station_near(const TubePair& tubes, double arc_a, double arc_b,
+                                          double spacing, double tolerance);
+
+/// Point stations at the interior minima of the distance along line stations (sorted by index).
 std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Station>& line,
                                     double spacing, double tolerance);
+
+/// Line and point stations together. A point station stands for a stretch of the mean curve as long
+/// as its weight, with itself in the middle; line stations stand for what is left of their cells.
+std::vector<Station> share_length(std::vector<Station> line, const std::vector<Station>& points,
+                                  const TubePair& tubes);
 
 } // namespace braidx

@@ -84,6 +84,10 @@ class Contact:
         )
         self._lay_out()
 
+    def freeze_sections(self) -> None:
+        """Sections and normals stay as they are until the next update."""
+        engine.freeze_sections(self.elements)
+
     def restore(self, elements: Any) -> None:
         """Goes back to earlier contact elements, with their memory."""
         self.elements = elements
@@ -110,6 +114,11 @@ class Contact:
         """Raises penalties where penetration exceeds `tolerance` (mm); number of zones changed, all processes."""
         changed = engine.adapt_stiffness(self.tubes, self.elements, q, tolerance, growth)
         return self.comm.allreduce(changed)
+
+    def scale_stiffness(self, factor: float) -> None:
+        """Multiplies all penalties."""
+        if factor != 1.0:
+            engine.scale_stiffness(self.elements, factor)
 
     def restore_arrays(self, arrays: dict[str, np.ndarray]) -> None:
         """Takes contact elements with their memory from arrays; each process keeps the pairs it updates."""

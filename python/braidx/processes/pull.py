@@ -88,7 +88,15 @@ class Puller:
         system = model.system
         system.constraints, system.constraint_values = model.ends.held(strain)
         guess = system.expand(system.free_values(self._predict(strain)))
-        return model.incrementer.solve(self.state.q, guess, self._options)
+        return model.incrementer.solve(self.state.q, guess, self._options, self._stiffening(guess))
+
+    def _stiffening(self, guess: Floats) -> float:
+        """Growth of the yarns' mean tension beyond the largest so far, by the guess of the increment's end."""
+        most = self.state.progress.get("tension", 0.0) or self._mean_tension(self.state.q)
+        return max(1.0, self._mean_tension(guess) / most) if most > 0 else 1.0
+
+    def _mean_tension(self, q: Floats) -> float:
+        return float(np.mean(self.model.tension(q)))
 
     def _predict(self, strain: float) -> Floats:
         """The state moved on at the rate of the last increment, or stretched along the axis at first."""
@@ -106,12 +114,14 @@ class Puller:
             moved = (increment.q - self.state.q) / (strain - self.strain)
             rate = np.asarray(moved, dtype=np.float64)
         self.strain = strain
+        most = self.state.progress.get("tension", 0.0)
+        tension = max(most, self._mean_tension(increment.q))
         self.state = replace(
             self.state,
             q=increment.q,
             rate=rate,
             contacts=self.model.contact.arrays(),
-            progress={**self.state.progress, "strain": strain},
+            progress={**self.state.progress, "strain": strain, "tension": tension},
             stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
             friction_work=self.state.friction_work + increment.friction_work,
         )

@@ -13,9 +13,13 @@ from .newton import Newton, NewtonResult
 
 FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
 SLOW = 0.5  # reduction of that residual by an update below which updates are damped
+MOST_DAMPING = 1.0  # more would hide the residual rather than remove it
 FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
-GROWTH = 3.0  # largest factor on the penalty of a zone that penetrates too deep, at a time
+GROWTH = 10.0  # largest factor on the penalty of a zone that penetrates too deep, at a time
 EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
+FORCING = 0.03  # an equilibrium is found to this fraction of the residual that its contact elements started with
+NEW_POINTS = 1  # contact updates of an increment that may change which point stations there are
+UNFOLLOWED = 2  # updates with frozen sections after following ones did not converge
 
 
 @dataclass(frozen=True)
@@ -84,18 +88,25 @@ class Incrementer:
     def __init__(self, newton: Newton, contact: Contact, proximal: ProximalTerm) -> None:
         self.newton, self.contact, self.proximal = newton, contact, proximal
 
-    def solve(self, start: Floats, guess: Floats, options: IncrementOptions) -> Increment:
+    def solve(
+        self, start: Floats, guess: Floats, options: IncrementOptions, stiffening: float = 1.0
+    ) -> Increment:
         """Goes from the equilibrium `start` to the next one; shapes (num_unknowns,).
 
         Args:
             start: Unknowns when the increment starts; friction counts slip from there.
             guess: First guess of its end; stabilisation acts against departures from it.
             options: When the increment is accepted.
+            stiffening: Factor on all penalties: where tensions are about to grow by it, contact forces then
+                do so too, and the guess is in equilibrium without a change of penetrations.
         Raises:
             Diverged: If there is none to be found; the contact history is rolled back.
         """
         before = self.contact.elements.copy()
         self.contact.start, self.proximal.start = start, guess
+        if options.penetration is not None:
+            self.contact.adapt_stiffness(start, options.penetration, GROWTH)
+        self.contact.scale_stiffness(stiffening)
         attempt = _Attempt(guess)
         try:
             while not self._accepted(attempt, options):
@@ -119,15 +130,12 @@ class Incrementer:
 
     def _accepted(self, attempt: _Attempt, options: IncrementOptions) -> bool:
         """Makes contact elements anew and looks what residual they leave."""
-        contact, last = self.contact, attempt.residual
-        contact.pairing.follow = FOLLOW_BELOW > last and attempt.may_follow
-        contact.update(attempt.q)
-        self.proximal.damping = np.zeros_like(attempt.q)
-        attempt.residual = self.newton.residual(attempt.q)
+        last = attempt.residual
+        self._update(attempt)
         consistent = attempt.updates > 0 and attempt.residual < options.pairing_tolerance
         fresh, attempt.raised = attempt.raised > 0, 0
         if consistent and options.penetration is not None:
-            attempt.raised = contact.adapt_stiffness(attempt.q, options.penetration, GROWTH)
+            attempt.raised = self._raise_penalties(attempt, options.penetration)
         if consistent and not attempt.raised:
             return True
         if attempt.updates and not consistent and not fresh:
@@ -143,6 +151,26 @@ class Incrementer:
             f"no consistent pairing after {attempt.updates} contact updates, {why}"
         )
 
+    def _update(self, attempt: _Attempt) -> None:
+        """New contact elements, and the residual they leave."""
+        self.contact.pairing.keep_points = attempt.updates >= NEW_POINTS
+        self.contact.update(attempt.q)
+        self.proximal.damping = np.zeros_like(attempt.q)
+        self._measure(attempt)
+
+    def _measure(self, attempt: _Attempt) -> None:
+        attempt.residual = self.newton.residual(attempt.q)
+        attempt.follows = attempt.residual < FOLLOW_BELOW and not attempt.unfollowed
+        if not attempt.follows:
+            self.contact.freeze_sections()
+
+    def _raise_penalties(self, attempt: _Attempt, penetration: float) -> int:
+        """Number of zones that penetrate too deep and are stiffer now."""
+        raised = self.contact.adapt_stiffness(attempt.q, penetration, GROWTH)
+        if raised:
+            self._measure(attempt)
+        return raised
+
     def _improve(self, attempt: _Attempt, in_passing: bool) -> None:
         """Equilibrium for the current contact elements."""
         contact, proximal, system = self.contact, self.proximal, self.newton.system
@@ -153,11 +181,14 @@ class Incrementer:
         )
         system.update_pattern()
         self.newton.renew()
-        found, result = self.newton.solve(attempt.q)
+        # More would be lost at the next update.
+        enough = FORCING * attempt.residual
+        found, result = self.newton.solve(attempt.q, enough)
         attempt.count(result)
-        if not result.converged and contact.pairing.follow:
-            attempt.may_follow = False
+        if not result.converged and attempt.follows:
+            attempt.unfollowed = UNFOLLOWED
             return
+        attempt.unfollowed = max(0, attempt.unfollowed - 1)
         if not result.converged and not result.exhausted:
             raise attempt.failed(f"Newton: {result.reason} after {result.iterations} iterations")
         attempt.exhausted += result.exhausted and not in_passing
@@ -173,7 +204,8 @@ class _Attempt:
     q: Floats
     residual: float = np.inf
     damping: float = 0.0
-    may_follow: bool = True
+    follows: bool = False
+    unfollowed: int = 0
     raised: int = 0
     exhausted: int = 0
     updates: int = 0
@@ -186,7 +218,8 @@ class _Attempt:
         self.solves += result.linear_solves
 
     def damp(self, more: bool) -> None:
-        self.damping = max(4 * self.damping, FIRST_DAMPING) if more else self.damping / 2
+        grown = min(max(2 * self.damping, FIRST_DAMPING), MOST_DAMPING)
+        self.damping = grown if more else self.damping / 2
 
     def failed(self, reason: str) -> Diverged:
         return Diverged(reason, self.iterations, self.solves)

@@ -13,6 +13,10 @@ from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
 
 
+NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
+INDEFINITE = "the tangent is not positive definite"
+
+
 @dataclass(frozen=True)
 class NewtonOptions:
     """Options of the Newton iteration.
@@ -65,6 +69,8 @@ class Newton:
         self._is_director = directors[system.constraints.free]
         self._residual = system.vector.duplicate()
         self._snes: PETSc.SNES | None = None
+        self._indefinite = False
+        self._enough = self._iterations_left = 0.0
         self._norm = np.inf
         self.restore_options()
 
@@ -72,8 +78,9 @@ class Newton:
         """Tolerance and number of iterations as the options say."""
         self.tolerance, self.max_iterations = self.options.tolerance, self.options.max_iterations
 
-    def renew(self) -> None:
-        """Sets the solver up for the system's current matrix."""
+    def renew(self, indefinite: bool = False) -> None:
+        """Sets the solver up for the system's current matrix, which may be told to be indefinite."""
+        self._indefinite = indefinite
         if self._snes is not None:
             self._snes.destroy()
         snes = PETSc.SNES().create(self.system.comm)
@@ -87,39 +94,50 @@ class Newton:
         ksp.setType("preonly")
         factorisation = ksp.getPC()
         factorisation.setType("cholesky" if self.options.symmetric else "lu")
-        serial = self.system.comm.size == 1
-        factorisation.setFactorSolverType(
-            "cholmod" if self.options.symmetric and serial else "mumps"
-        )
+        definite = self.options.symmetric and self.system.comm.size == 1 and not indefinite
+        factorisation.setFactorSolverType("cholmod" if definite else "mumps")
         _set_options({"snes_linesearch_type": "bt", **(self.options.petsc or {})})
         snes.setFromOptions()
         self._snes = snes
 
-    def solve(self, q: Floats) -> tuple[Floats, NewtonResult]:
+    def solve(self, q: Floats, enough: float = 0.0) -> tuple[Floats, NewtonResult]:
         """Equilibrium from the start q (all unknowns), shape (num_unknowns,), mm.
 
+        Args:
+            q: Where to start.
+            enough: Relative residual that suffices where it is larger than `tolerance`.
         Returns:
             All unknowns at the last iterate, and the outcome.
         """
         if self._snes is None:
             self.renew()
-        snes, system = self._snes, self.system
+        self._enough = max(enough, self.tolerance)
+        self.system.scatter(self.system.free_values(q), self.system.vector)
+        result = self._run()
+        if result.reason == INDEFINITE and not self._indefinite:
+            # Where yarns are about to slide off each other the tangent has a negative eigenvalue.
+            self.renew(indefinite=True)
+            result = self._run(result.iterations)
+        return self.system.expand(self.system.gather(self.system.vector)), result
+
+    def _run(self, before: int = 0) -> NewtonResult:
+        snes = self._snes
         assert snes is not None
-        system.scatter(system.free_values(q), system.vector)
+        self._iterations_left = self.max_iterations - before
         try:
-            snes.solve(None, system.vector)
+            snes.solve(None, self.system.vector)
             reason = _reason_name(snes.getConvergedReason())
             converged = snes.getConvergedReason() > 0
         except PETSc.Error as error:
-            reason, converged = f"PETSc error {error.ierr}", False
-        result = NewtonResult(
+            reason = INDEFINITE if error.ierr == NOT_FACTORISED else f"PETSc error {error.ierr}"
+            converged = False
+        return NewtonResult(
             converged,
-            snes.getIterationNumber(),
-            snes.getLinearSolveIterations(),
+            before + snes.getIterationNumber(),
+            before + snes.getLinearSolveIterations(),
             self._relative(),
             reason,
         )
-        return system.expand(system.gather(system.vector)), result
 
     def residual(self, q: Floats) -> float:
         """Relative residual at q."""
@@ -145,9 +163,9 @@ class Newton:
         self._norm = norms[2]
         if not np.isfinite(self._norm):
             return PETSc.SNES.ConvergedReason.DIVERGED_FNORM_NAN
-        if self._relative() < self.tolerance:
+        if self._relative() < self._enough:
             return PETSc.SNES.ConvergedReason.CONVERGED_FNORM_RELATIVE
-        if iteration >= self.max_iterations:
+        if iteration >= self._iterations_left:
             return PETSc.SNES.ConvergedReason.DIVERGED_MAX_IT
         return PETSc.SNES.ConvergedReason.ITERATING
 
