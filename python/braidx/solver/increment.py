@@ -135,11 +135,11 @@ class Incrementer:
         consistent = attempt.updates > 0 and attempt.residual < options.pairing_tolerance
         fresh, attempt.raised = attempt.raised > 0, 0
         if consistent and options.penetration is not None:
-            attempt.raised = self._raise_penalties(attempt, options.penetration)
+            self._raise_penalties(attempt, options.penetration)
         if consistent and not attempt.raised:
             return True
         if attempt.updates and not consistent and not fresh:
-            attempt.damp(attempt.residual > SLOW * last)
+            attempt.judge(attempt.residual > SLOW * last)
         if attempt.updates < options.max_updates:
             return False
         if options.in_passing:
@@ -160,16 +160,16 @@ class Incrementer:
 
     def _measure(self, attempt: _Attempt) -> None:
         attempt.residual = self.newton.residual(attempt.q)
-        attempt.follows = attempt.residual < FOLLOW_BELOW and not attempt.unfollowed
+        near = attempt.residual < FOLLOW_BELOW or attempt.slow > 0 or attempt.raised > 0
+        attempt.follows = near and not attempt.unfollowed
         if not attempt.follows:
             self.contact.freeze_sections()
 
-    def _raise_penalties(self, attempt: _Attempt, penetration: float) -> int:
-        """Number of zones that penetrate too deep and are stiffer now."""
-        raised = self.contact.adapt_stiffness(attempt.q, penetration, GROWTH)
-        if raised:
+    def _raise_penalties(self, attempt: _Attempt, penetration: float) -> None:
+        """Makes zones stiffer that penetrate too deep; yarns will hardly move, so that sections may follow."""
+        attempt.raised = self.contact.adapt_stiffness(attempt.q, penetration, GROWTH)
+        if attempt.raised:
             self._measure(attempt)
-        return raised
 
     def _improve(self, attempt: _Attempt, in_passing: bool) -> None:
         """Equilibrium for the current contact elements."""
@@ -204,6 +204,7 @@ class _Attempt:
     q: Floats
     residual: float = np.inf
     damping: float = 0.0
+    slow: int = 0
     follows: bool = False
     unfollowed: int = 0
     raised: int = 0
@@ -217,9 +218,11 @@ class _Attempt:
         self.iterations += result.iterations
         self.solves += result.linear_solves
 
-    def damp(self, more: bool) -> None:
+    def judge(self, slow: bool) -> None:
+        """Damps updates that do not approach each other."""
         grown = min(max(2 * self.damping, FIRST_DAMPING), MOST_DAMPING)
-        self.damping = grown if more else self.damping / 2
+        self.damping = grown if slow else self.damping / 2
+        self.slow = self.slow + 1 if slow else 0
 
     def failed(self, reason: str) -> Diverged:
         return Diverged(reason, self.iterations, self.solves)
