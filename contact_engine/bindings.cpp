@@ -152,7 +152,18 @@ NB_MODULE(braidx_engine, m) {
                          vector3(translation)};
         },
         "rigid"_a, "pivot"_a, "rotation"_a, "translation"_a);
-    m.def("make_pattern", &make_pattern, "tubes"_a, "elements"_a);
+    m.def(
+        "is_own",
+        [](const PairingOptions& options, const In<std::int64_t>& tube,
+           const In<std::int64_t>& other) {
+            return make_array<bool>({tube.size()}, [&](bool* out) {
+                for (std::size_t i = 0; i < tube.size(); ++i)
+                    out[i] = is_own(options, tube.data()[i], other.data()[i]);
+            });
+        },
+        "options"_a, "tube"_a, "other"_a);
+    m.def("make_pattern", &make_pattern, "tubes"_a, "elements"_a, "reach"_a = 0.0);
+    m.def("place", &place, "pattern"_a, "tubes"_a, "elements"_a);
     m.def(
         "add_residual",
         [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q,

@@ -30,7 +30,7 @@ namespace {
 
 /// Factor beyond the penalty that would just do: forces grow from increment to increment, and each
 /// raise costs a new equilibrium.
-constexpr double headroom = 1.5;
+constexpr double headroom = 2;
 /// Zones that come this close to the tolerance are raised with those beyond it.
 constexpr double soon = 0.8;
 

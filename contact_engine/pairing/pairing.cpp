@@ -12,10 +12,6 @@ namespace {
 
 using Tubes = std::vector<Tube>;
 
-bool mine(std::int32_t a, std::int32_t b, const PairingOptions& options) {
-    return (std::int64_t{a} * 7919 + b) % options.num_parts == options.part;
-}
-
 /// Surface particle of a tube that faces `direction`, in section coordinates (beams only).
 void face(const Tube& tube, Unknowns q, double s, const Vec3& direction, double (&xi)[2]) {
     if (!tube.has_directors())
@@ -155,7 +151,7 @@ Unseparated add_crossings(Builder& builder, const Tubes& tubes,
     Unseparated out;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const auto& c = crossings[i];
-        if (!mine(c.tube_a, c.tube_b, options))
+        if (!is_own(options, c.tube_a, c.tube_b))
             continue;
         const auto stations = crossing_stations(tubes, q, c, options.spacing, options.crossing);
         if (stations.empty())
@@ -230,6 +226,10 @@ void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone,
 
 } // namespace
 
+bool is_own(const PairingOptions& options, std::int64_t tube, std::int64_t other) {
+    return (tube * 7919 + other) % options.num_parts == options.part;
+}
+
 ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
                                       const ContactElements& previous,
                                       const PairingOptions& options) {
@@ -237,11 +237,11 @@ ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
     Builder builder(tubes, q, previous, options);
     const auto unseparated = add_crossings(builder, tubes, surfaces.crossings, q, options);
     for (const auto& zone : proximity_zones(tubes, q, close_pairs(tubes, q, options.search)))
-        if (mine(zone.tube_a, zone.tube_b, options))
+        if (is_own(options, zone.tube_a, zone.tube_b))
             add_zone(builder, tubes, zone, unseparated, q, options);
     for (std::size_t r = 0; r < surfaces.rigid.size(); ++r)
         for (std::int32_t a = 0; a < static_cast<std::int32_t>(tubes.size()); ++a)
-            if (mine(a, static_cast<std::int32_t>(r), options))
+            if (is_own(options, a, static_cast<std::int64_t>(r)))
                 builder.add_wall(a, surfaces.rigid[r], static_cast<std::int32_t>(r));
     return std::move(builder.elements);
 }

@@ -13,6 +13,9 @@ from mpi4py import MPI
 from ..system.terms import Floats, Ints
 
 
+REACH = 0.3  # elements that sections may move before the tangent needs a new pattern
+
+
 @dataclass(frozen=True)
 class TubeLayout:
     """Tubes of all bodies, one entry per curve; see the engine's Tube.
@@ -75,6 +78,8 @@ class Contact:
         self.elements = engine.ContactElements()
         self.start: Floats = np.empty(0)
         self._q: Floats = np.empty(0)
+        self.pattern_version = 0
+        self._pattern: Any = None
         self._lay_out()
 
     def update(self, q: Floats) -> None:
@@ -83,6 +88,10 @@ class Contact:
             self.tubes, self.crossings, self.rigid, q, self.elements, self.pairing
         )
         self._lay_out()
+
+    def forget_pattern(self) -> None:
+        """Makes the next update lay out the tangent anew: a resumed run then orders unknowns like one that went on."""
+        self._pattern = None
 
     def freeze_sections(self) -> None:
         """Sections and normals stay as they are until the next update."""
@@ -121,8 +130,12 @@ class Contact:
             engine.scale_stiffness(self.elements, factor)
 
     def restore_arrays(self, arrays: dict[str, np.ndarray]) -> None:
-        """Takes contact elements with their memory from arrays; each process keeps the pairs it updates."""
-        self.restore(engine.ContactElements.from_arrays(arrays))
+        """Takes contact elements with their memory from arrays; each process keeps the pairs that are its own."""
+        a, b = arrays["tubes"].astype(np.int64).T
+        own = engine.is_own(self.pairing, a, np.where(b < 0, -1 - b, b))
+        self.restore(
+            engine.ContactElements.from_arrays({name: part[own] for name, part in arrays.items()})
+        )
 
     def arrays(self) -> dict[str, np.ndarray]:
         """Contact elements of all processes with their memory, the same on each."""
@@ -172,7 +185,11 @@ class Contact:
         return values
 
     def _lay_out(self) -> None:
-        self._pattern = engine.make_pattern(self.tubes, self.elements)
+        """Finds the contact elements' places in the tangent, in a new pattern where the last one lacks some."""
+        if self._pattern is not None and engine.place(self._pattern, self.tubes, self.elements):
+            return
+        self.pattern_version += 1
+        self._pattern = engine.make_pattern(self.tubes, self.elements, REACH)
         within = np.arange(3)
         row, col = self._pattern.blocks()
         shape = (len(row), 3, 3)

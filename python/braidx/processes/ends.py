@@ -25,18 +25,21 @@ class Ends:
         self.last_axial = self._last + 2
         self.length = float(self._rest[self.last_axial].mean() - self._rest[self._first + 2].mean())
 
+        constraints, self._values = self._across()
+        for section in (self._first + 2, self.last_axial):
+            constraints.hold(section)
+            self._values[section] = self._rest[section]
+        self._map = constraints.resolve()
+
     def held(self, strain: float) -> tuple[ConstraintMap, Floats]:
         """Both end sections held, the last one at a rope strain from the reference state.
 
         Returns:
             The constraint map and the values of its constraints, mm.
         """
-        constraints, values = self._across()
-        for section in (self._first + 2, self.last_axial):
-            constraints.hold(section)
-            values[section] = self._rest[section]
+        values = self._values.copy()
         values[self.last_axial] += strain * self.length
-        return constraints.resolve(), values
+        return self._map, values
 
     def _across(self) -> tuple[Constraints, Floats]:
         constraints, values = Constraints(len(self._rest)), np.zeros(len(self._rest))

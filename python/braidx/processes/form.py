@@ -28,9 +28,11 @@ from .state import State
 STRETCH = 10.0  # axial stiffness over tension: holds nodes apart within an increment
 OPENING = 0.7  # penetration over radius at which the die opens
 PRESSED = 0.06  # penetration over radius at which nodes are no longer spread
-RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once the die is open
-RAISE_EVERY = 4
-PASSING = (1e-2, 8)  # tolerance and iterations of Newton for states that are only passed through
+PRESS_ON = 1.5  # factor on the penalty that would just bring yarns to the tolerance when they come to rest
+RAISE = 3.0  # factor on the penalty, every RAISE_EVERY increments once the die is open
+RAISE_EVERY = 3
+PASSING = (1e-2, 5)  # tolerance and iterations of Newton for states that are only passed through
+COARSER = 2.0  # factor on the spacing of stations for those states
 REST = 2  # increments that the rope is given to come to rest, with consistent pairs
 RETRIES = 4  # doublings of the viscosity before forming gives up
 SNAPSHOTS = 4  # pictures on the way
@@ -63,6 +65,7 @@ class Former:
         contact.laws.friction = [0.0]
         contact.laws.gap_step = step.gap_reduction * radius
         contact.pairing.keep_side = False
+        self._spacing = contact.pairing.spacing
         self._number = {
             "done": 0.0,
             "separated": 0.0,
@@ -71,6 +74,7 @@ class Former:
             "opened": 0.0,
             "pressed": 0.0,
             "rested": 0.0,
+            "stiffening": 1.0,
             **state.progress,
         }
 
@@ -125,6 +129,7 @@ class Former:
         """Spreads nodes evenly, renews the tension, and puts the die where it belongs; not while resting."""
         model, number, contact = self.model, self._number, self.model.contact
         contact.pairing.stiffness = number["penalty"]
+        contact.pairing.spacing = self._spacing * (1.0 if number["pressed"] else COARSER)
         contact.pairing.crossing.by_point = bool(number["separated"])
         assert isinstance(model.body, CableBody)
         if not number["rested"]:
@@ -143,10 +148,10 @@ class Former:
             ]
 
     def _solve(self) -> Increment:
-        newton, contact = self.model.newton, self.model.contact
+        newton, contact, number = self.model.newton, self.model.contact, self._number
         options = IncrementOptions(max_updates=1, in_passing=True)
         newton.tolerance, newton.max_iterations = PASSING
-        if self._number["pressed"]:
+        if number["pressed"]:
             options = IncrementOptions(penetration=self._tolerance)
             newton.restore_options()
             contact.laws.gap_step = -1.0
@@ -154,7 +159,9 @@ class Former:
         for retry in range(RETRIES + 1):
             self.model.set_viscosity(self._viscosity * 2**retry)
             try:
-                return self.model.incrementer.solve(self.state.q, self.state.q, options)
+                return self.model.incrementer.solve(
+                    self.state.q, self.state.q, options, number["stiffening"]
+                )
             except Diverged as failure:
                 LOGGER.warning("forming: %s; stabilisation doubled", failure)
                 last = failure
@@ -167,6 +174,7 @@ class Former:
     def _advance(self, increment: Increment) -> None:
         """What the next increment does: separate, raise the penalty, open the die, rest."""
         number, depth = self._number, increment.penetration / self._radius
+        number["stiffening"] = 1.0
         if not number["separated"]:
             number["separated"] = float(wrong_side_crossings(self.model, increment.q) == 0)
         elif not number["opened"]:
@@ -176,6 +184,7 @@ class Former:
             number["rested"] += 1
         elif depth < PRESSED:
             number["pressed"] = 1.0
+            number["stiffening"] = PRESS_ON * max(1.0, increment.penetration / self._tolerance)
         elif number["done"] - number["raised"] >= RAISE_EVERY:
             number["penalty"] *= RAISE
             number["raised"] = number["done"]

@@ -121,8 +121,6 @@ def make_model(comm: MPI.Comm, scene: Scene, rope: Rope, state: State) -> RopeMo
     model.contact.start = model.proximal.start = state.q
     if state.contacts:
         model.contact.restore_arrays(state.contacts)
-        if state.model != "forming":
-            model.contact.update(state.q)  # each process keeps its own pairs
     return model
 
 

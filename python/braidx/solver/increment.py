@@ -97,15 +97,14 @@ class Incrementer:
             start: Unknowns when the increment starts; friction counts slip from there.
             guess: First guess of its end; stabilisation acts against departures from it.
             options: When the increment is accepted.
-            stiffening: Factor on all penalties: where tensions are about to grow by it, contact forces then
+            stiffening: Factor on all penalties. Where tensions are about to grow by it, contact forces then
                 do so too, and the guess is in equilibrium without a change of penetrations.
         Raises:
             Diverged: If there is none to be found; the contact history is rolled back.
         """
         before = self.contact.elements.copy()
         self.contact.start, self.proximal.start = start, guess
-        if options.penetration is not None:
-            self.contact.adapt_stiffness(start, options.penetration, GROWTH)
+        self.contact.forget_pattern()
         self.contact.scale_stiffness(stiffening)
         attempt = _Attempt(guess)
         try:
@@ -179,8 +178,8 @@ class Incrementer:
         proximal.damping = np.where(
             self.newton.directors, 0.0, attempt.damping * force / contact.min_radius
         )
-        system.update_pattern()
-        self.newton.renew()
+        if system.update_pattern() or self.newton.indefinite:
+            self.newton.renew()
         # More would be lost at the next update.
         enough = FORCING * attempt.residual
         found, result = self.newton.solve(attempt.q, enough)

@@ -59,6 +59,7 @@ class Newton:
 
     Attributes:
         directors: Whether an unknown belongs to a director, shape (num_unknowns,).
+        indefinite: Whether the solver in use copes with an indefinite tangent, at a higher price.
         tolerance, max_iterations: As in the options, unless loosened for states only passed through.
     """
 
@@ -69,7 +70,7 @@ class Newton:
         self._is_director = directors[system.constraints.free]
         self._residual = system.vector.duplicate()
         self._snes: PETSc.SNES | None = None
-        self._indefinite = False
+        self.indefinite = False
         self._enough = self._iterations_left = 0.0
         self._norm = np.inf
         self.restore_options()
@@ -80,7 +81,7 @@ class Newton:
 
     def renew(self, indefinite: bool = False) -> None:
         """Sets the solver up for the system's current matrix, which may be told to be indefinite."""
-        self._indefinite = indefinite
+        self.indefinite = indefinite
         if self._snes is not None:
             self._snes.destroy()
         snes = PETSc.SNES().create(self.system.comm)
@@ -114,7 +115,7 @@ class Newton:
         self._enough = max(enough, self.tolerance)
         self.system.scatter(self.system.free_values(q), self.system.vector)
         result = self._run()
-        if result.reason == INDEFINITE and not self._indefinite:
+        if result.reason == INDEFINITE and not self.indefinite:
             # Where yarns are about to slide off each other the tangent has a negative eigenvalue.
             self.renew(indefinite=True)
             result = self._run(result.iterations)

@@ -41,14 +41,25 @@ class GlobalSystem:
         self.vector.setUp()
         self._counts = np.array(comm.allgather(self.vector.getLocalSize()))
         self.matrix: PETSc.Mat | None = None
+        self._versions: tuple[int, ...] = ()
+        self._laid_out: ConstraintMap | None = None
 
     @property
     def num_free(self) -> int:
         """Number of free unknowns of all processes."""
         return len(self.constraints.free)
 
-    def update_pattern(self) -> None:
-        """Lays out the matrix anew, after the contact elements or the constraints changed."""
+    def update_pattern(self) -> bool:
+        """Lays out the matrix anew, if the contact elements or the constraints have outgrown it.
+
+        Returns:
+            Whether there is a new matrix.
+        """
+        versions = tuple(term.pattern_version for term in self.terms)
+        same = versions == self._versions and self.constraints is self._laid_out
+        if self.comm.allreduce(same, op=MPI.LAND):
+            return False
+        self._versions, self._laid_out = versions, self.constraints
         pieces = [self.constraints.reduce_pattern(*term.tangent_pattern()) for term in self.terms]
         self._pieces = pieces
         if self.matrix is not None:
@@ -63,6 +74,7 @@ class GlobalSystem:
             np.concatenate([p.cols for p in pieces]),
         )
         self.matrix = matrix
+        return True
 
     def set_state(self, q: Floats) -> None:
         """Hands all unknowns, shape (num_unknowns,), to the terms."""

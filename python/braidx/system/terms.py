@@ -23,6 +23,11 @@ class Term(Protocol):
     def add_residual(self, residual: Floats) -> None:
         """Adds this process's share, shape (num_unknowns,)."""
 
+    @property
+    def pattern_version(self) -> int:
+        """Number that changes whenever `tangent_pattern` does."""
+        ...
+
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """Rows and columns of this process's share of the tangent, shape (num_entries,) each."""
         ...
@@ -52,6 +57,8 @@ class Body(Protocol):
 class BodyTerm:
     """Internal forces of a body whose unknowns begin at `first_unknown`."""
 
+    pattern_version = 1
+
     def __init__(self, body: Body, first_unknown: int) -> None:
         self.body = body
         self.unknowns = slice(first_unknown, first_unknown + body.num_unknowns)
@@ -76,6 +83,8 @@ class BodyTerm:
 
 class LoadTerm:
     """Dead loads on unknowns (N on positions, N mm per mm on directors), shape (num_unknowns,)."""
+
+    pattern_version = 1
 
     def __init__(self, num_unknowns: int, rank: int = 0) -> None:
         self.loads = np.zeros(num_unknowns)
@@ -108,6 +117,8 @@ class ProximalTerm:
         damping: Per unknown, in the same units, shape (num_unknowns,).
         anchor: Unknowns at the last contact update, shape (num_unknowns,).
     """
+
+    pattern_version = 1
 
     def __init__(self, num_unknowns: int, rank: int = 0) -> None:
         self.viscosity: Floats = np.zeros(num_unknowns)
