@@ -197,6 +197,7 @@ NB_MODULE(braidx_engine, m) {
            double growth) { return adapt_stiffness(tubes, elements, view(q), tolerance, growth); },
         "tubes"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a);
     m.def("freeze_sections", &freeze_sections, "elements"_a);
+    m.def("sum_log_stiffness", &sum_log_stiffness, "elements"_a);
     m.def("scale_stiffness", &scale_stiffness, "elements"_a, "factor"_a);
     m.def("contact_results", &contact_results, "tubes"_a, "elements"_a, "q"_a, "q_start"_a,
           "laws"_a);

@@ -1,6 +1,7 @@
 #include "memory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace braidx {
@@ -30,18 +31,22 @@ namespace {
 
 /// Factor beyond the penalty that would just do: forces grow from increment to increment, and each
 /// raise costs a new equilibrium.
-constexpr double headroom = 2;
+constexpr double headroom = 1.6;
 /// Zones that come this close to the tolerance are raised with those beyond it.
-constexpr double soon = 0.8;
+constexpr double soon = 0.6;
 
 } // namespace
 
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
                     double tolerance, double growth) {
-    std::unordered_map<std::int32_t, double> deepest;
+    std::unordered_map<std::int32_t, double> deepest, longest;
+    for (const auto& e : elements)
+        longest[e.zone] = std::max(longest[e.zone], e.weight);
     for (const auto& e : elements) {
+        // Stations that stand for next to nothing cannot hold a zone apart, nor need it.
+        const double share = std::min(1.0, 4 * e.weight / longest[e.zone]);
         auto& d = deepest[e.zone];
-        d = std::max(d, -local_system(tubes, e, q).gap);
+        d = std::max(d, -share * local_system(tubes, e, q).gap);
     }
     const auto count = [&](double limit) {
         return static_cast<int>(
@@ -53,6 +58,13 @@ int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, U
         if (const double ratio = deepest[e.zone] / tolerance; ratio > soon)
             e.stiffness *= std::min(growth, headroom * ratio);
     return count(soon * tolerance);
+}
+
+double sum_log_stiffness(const ContactElements& elements) {
+    double sum = 0;
+    for (const auto& e : elements)
+        sum += std::log(e.stiffness);
+    return sum;
 }
 
 void scale_stiffness(ContactElements& elements, double factor) {

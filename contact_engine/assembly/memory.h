@@ -19,6 +19,9 @@ Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unkn
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
                     double tolerance, double growth);
 
+/// Sum of the logarithms of all penalties: with their number, the geometric mean.
+double sum_log_stiffness(const ContactElements& elements);
+
 /// Multiplies the penalties of all contact elements.
 void scale_stiffness(ContactElements& elements, double factor);
 

@@ -89,6 +89,13 @@ class Contact:
         )
         self._lay_out()
 
+    def adopt_stiffness(self) -> None:
+        """New zones will start with the penalty that is usual by now: the geometric mean of all processes."""
+        logs, count = engine.sum_log_stiffness(self.elements), len(self.elements)
+        logs, count = self.comm.allreduce(logs), self.comm.allreduce(count)
+        if count:
+            self.pairing.stiffness = float(np.exp(logs / count))
+
     def forget_pattern(self) -> None:
         """Makes the next update lay out the tangent anew: a resumed run then orders unknowns like one that went on."""
         self._pattern = None

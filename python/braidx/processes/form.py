@@ -33,6 +33,7 @@ RAISE = 3.0  # factor on the penalty, every RAISE_EVERY increments once the die 
 RAISE_EVERY = 3
 PASSING = (1e-2, 5)  # tolerance and iterations of Newton for states that are only passed through
 COARSER = 2.0  # factor on the spacing of stations for those states
+RESTING = 10.0  # factor on the stabilisation while the rope comes to rest: yarns that slide off each other are slow
 REST = 2  # increments that the rope is given to come to rest, with consistent pairs
 RETRIES = 4  # doublings of the viscosity before forming gives up
 SNAPSHOTS = 4  # pictures on the way
@@ -156,8 +157,9 @@ class Former:
             newton.restore_options()
             contact.laws.gap_step = -1.0
             contact.laws.friction = [self.model.scene.contact.friction]
+        viscosity = self._viscosity * (RESTING if number["pressed"] else 1.0)
         for retry in range(RETRIES + 1):
-            self.model.set_viscosity(self._viscosity * 2**retry)
+            self.model.set_viscosity(viscosity * 2**retry)
             try:
                 return self.model.incrementer.solve(
                     self.state.q, self.state.q, options, number["stiffening"]

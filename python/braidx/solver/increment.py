@@ -106,6 +106,8 @@ class Incrementer:
         self.contact.start, self.proximal.start = start, guess
         self.contact.forget_pattern()
         self.contact.scale_stiffness(stiffening)
+        if options.penetration is not None:
+            self.contact.adopt_stiffness()
         attempt = _Attempt(guess)
         try:
             while not self._accepted(attempt, options):

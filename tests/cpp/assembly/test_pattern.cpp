@@ -1,5 +1,6 @@
 #include "support/contact.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <set>
 
@@ -76,4 +77,35 @@ TEST_CASE("no contact, no pattern", "[pattern]") {
     const auto pattern = make_pattern({}, {});
     CHECK(pattern.row.empty());
     CHECK(pattern.slot.empty());
+}
+
+TEST_CASE("a pattern with reach has a place for sections that moved less", "[pattern]") {
+    auto contact = mixed_contacts();
+    auto pattern = make_pattern(contact.rods.tubes, contact.elements, 0.3);
+    for (auto& e : contact.elements) {
+        e.s_a = std::clamp(e.s_a + 0.25, 0.0, double(contact.rods.tubes[e.tube_a].num_elements));
+        if (!against_rigid(e))
+            e.s_b = std::max(e.s_b - 0.25, 0.0);
+    }
+    REQUIRE(place(pattern, contact.rods.tubes, contact.elements));
+    for (std::size_t e = 0; e < contact.elements.size(); ++e) {
+        const auto system = local_system(contact.rods.tubes, contact.elements[e], contact.rods.q);
+        auto slot = static_cast<std::size_t>(pattern.first_slot.at(e));
+        for (int i = 0; i < system.count; ++i)
+            for (int j = 0; j < system.count; ++j, ++slot) {
+                const auto block = static_cast<std::size_t>(pattern.slot.at(slot));
+                CHECK(pattern.row.at(block) == system.unknown[i]);
+                CHECK(pattern.col.at(block) == system.unknown[j]);
+            }
+    }
+}
+
+TEST_CASE("a pattern tells when it lacks a block", "[pattern]") {
+    Contact contact = random_contact(smooth_cable, smooth_cable, 0, 0, 5);
+    contact.elements.resize(1);
+    auto& e = contact.elements[0];
+    e.s_a = 0.5;
+    auto pattern = make_pattern(contact.rods.tubes, contact.elements, 0.3);
+    e.s_a = contact.rods.tubes[e.tube_a].num_elements - 0.5;
+    CHECK_FALSE(place(pattern, contact.rods.tubes, contact.elements));
 }

@@ -158,3 +158,41 @@ TEST_CASE("stacking order rules a crossing until it is separated, then geometry"
         }
     }
 }
+
+TEST_CASE("kept point stations keep their weight and follow the closest approach", "[pairing]") {
+    Rods rods;
+    rods.add_straight(smooth_cable, 10, 1.0, {0, 0, 0}, {0, 0, 20});
+    rods.add_straight(smooth_cable, 10, 1.0, {1.98, -8, 4}, {1.98, 8, 15}); // 34.5 degrees: half sharp
+    const auto points = [](const ContactElements& elements) {
+        ContactElements out;
+        for (const auto& e : elements)
+            if (e.station == point_station)
+                out.push_back(e);
+        return out;
+    };
+    PairingOptions options;
+    options.point_tolerance = 0.06;
+    const auto before = make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, options);
+    REQUIRE(points(before).size() == 1);
+    for (std::int32_t i = 0; i < rods.tubes[1].num_nodes(); ++i)
+        rods.q[static_cast<std::size_t>(rods.tubes[1].unknown_of(i)) + 2] += 0.3;
+    options.keep_points = true;
+    const auto kept = points(make_contact_elements({rods.tubes, {}, {}}, rods.q, before, options));
+    REQUIRE(kept.size() == 1);
+    CHECK(kept[0].weight == points(before)[0].weight);
+    CHECK(std::abs(kept[0].s_a - points(before)[0].s_a - 0.15) < 1e-6);
+}
+
+TEST_CASE("every pair is one process's own", "[pairing]") {
+    for (std::int64_t a = 0; a < 5; ++a)
+        for (std::int64_t b = 0; b < 5; ++b) {
+            int owners = 0;
+            for (int part = 0; part < 3; ++part) {
+                PairingOptions options;
+                options.part = part;
+                options.num_parts = 3;
+                owners += is_own(options, a, b);
+            }
+            CHECK(owners == 1);
+        }
+}

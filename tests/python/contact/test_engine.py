@@ -151,7 +151,7 @@ def test_penalties_grow(press: Press) -> None:
     assert changed == 1  # the crossing; the plane is 0.01 mm deep
     arrays = press.elements.arrays()
     assert set(arrays["stiffness"][arrays["tubes"][:, 1] < 0]) == {1000.0}
-    assert arrays["stiffness"][arrays["tubes"][:, 1] > 0] == pytest.approx(1000 * 2 * 4 / 3)
+    assert arrays["stiffness"][arrays["tubes"][:, 1] > 0] == pytest.approx(1000 * 1.6 * 4 / 3)
 
 
 def test_tangent_is_the_derivative_of_the_residual(press: Press) -> None:
