@@ -13,9 +13,6 @@ from mpi4py import MPI
 from ..system.terms import Floats, Ints
 
 
-REACH = 0.3  # elements that sections may move before the tangent needs a new pattern
-
-
 @dataclass(frozen=True)
 class TubeLayout:
     """Tubes of all bodies, one entry per curve; see the engine's Tube.
@@ -45,6 +42,7 @@ class Contact:
         pairing: How contact elements are made (engine object).
         min_radius: Radius of the thinnest tube, mm.
         start: Unknowns at the start of the increment, shape (num_unknowns,).
+        reach: Elements that sections may move before the tangent needs a new pattern.
     """
 
     def __init__(
@@ -78,6 +76,7 @@ class Contact:
         self.elements = engine.ContactElements()
         self.start: Floats = np.empty(0)
         self._q: Floats = np.empty(0)
+        self.reach = 0.0
         self.pattern_version = 0
         self._pattern: Any = None
         self._lay_out()
@@ -196,7 +195,7 @@ class Contact:
         if self._pattern is not None and engine.place(self._pattern, self.tubes, self.elements):
             return
         self.pattern_version += 1
-        self._pattern = engine.make_pattern(self.tubes, self.elements, REACH)
+        self._pattern = engine.make_pattern(self.tubes, self.elements, self.reach)
         within = np.arange(3)
         row, col = self._pattern.blocks()
         shape = (len(row), 3, 3)

@@ -28,7 +28,9 @@ from .state import State
 STRETCH = 10.0  # axial stiffness over tension: holds nodes apart within an increment
 OPENING = 0.7  # penetration over radius at which the die opens
 PRESSED = 0.06  # penetration over radius at which nodes are no longer spread
-PRESS_ON = 1.5  # factor on the penalty that would just bring yarns to the tolerance when they come to rest
+PRESS_ON = (
+    1.5  # factor on the penalty that would just bring yarns to the tolerance when they come to rest
+)
 RAISE = 3.0  # factor on the penalty, every RAISE_EVERY increments once the die is open
 RAISE_EVERY = 3
 PASSING = (1e-2, 5)  # tolerance and iterations of Newton for states that are only passed through
