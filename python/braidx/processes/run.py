@@ -136,7 +136,7 @@ def _run_steps(comm: MPI.Comm, scene: Scene, rope: Rope, state: State, recorder:
             model = make_model(comm, scene, rope, state)
         recorder.begin(step, model)
         clock = time.perf_counter()
-        for outcome in STEPS[type(step)](model, state, step):
+        for outcome in _named(STEPS[type(step)](model, state, step), state.increment):
             seconds = time.perf_counter() - clock
             state = _counted(outcome, state, step, seconds)
             recorder.record(model, step, replace(outcome, state=state), seconds)
@@ -144,6 +144,16 @@ def _run_steps(comm: MPI.Comm, scene: Scene, rope: Rope, state: State, recorder:
         state = state.next_step()
         recorder.checkpoint(state)
     return state
+
+
+def _named(outcomes: Iterator[Outcome], done: int) -> Iterator[Outcome]:
+    """The outcomes of a step; a failure tells at which increment of the run it happened."""
+    try:
+        for outcome in outcomes:
+            done += 1
+            yield outcome
+    except NotConverged as failure:
+        raise NotConverged(f"increment {done + 1}: {failure}") from failure
 
 
 def _counted(outcome: Outcome, before: State, step: Step, seconds: float) -> State:

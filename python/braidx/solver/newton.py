@@ -97,7 +97,9 @@ class Newton:
         factorisation.setType("cholesky" if self.options.symmetric else "lu")
         definite = self.options.symmetric and self.system.comm.size == 1 and not indefinite
         factorisation.setFactorSolverType("cholmod" if definite else "mumps")
-        _set_options({"snes_linesearch_type": "bt", **(self.options.petsc or {})})
+        # A failed factorisation is dealt with: CHOLMOD need not tell the user.
+        quiet: dict[str, object] = {"mat_cholmod_print": 0} if definite else {}
+        _set_options({"snes_linesearch_type": "bt", **quiet, **(self.options.petsc or {})})
         snes.setFromOptions()
         self._snes = snes
 

@@ -43,9 +43,13 @@ def test_ranks_become_mpirun_anywhere(words: list[str]) -> None:
     assert got[-5:] == ["python3", "-m", "braidx", "run", "x"]
 
 
-def test_ranks_share_the_cores() -> None:
-    out = launch("--ranks", "64", "demo", OMP_NUM_THREADS="").stdout.splitlines()
+@pytest.mark.parametrize("ranks", [[], ["--ranks", "64"]])
+def test_one_thread_per_process_unless_told_otherwise(ranks: list[str]) -> None:
+    given = {"OMP_NUM_THREADS": "", "OPENBLAS_NUM_THREADS": ""}
+    out = launch(*ranks, "demo", **given).stdout.splitlines()
     assert "OMP_NUM_THREADS=1" in out and "OPENBLAS_NUM_THREADS=1" in out
+    out = launch(*ranks, "demo", **(given | {"OPENBLAS_NUM_THREADS": "2"})).stdout.splitlines()
+    assert "OPENBLAS_NUM_THREADS=2" in out
 
 
 @pytest.mark.parametrize("words", [["--ranks"], ["--ranks", "0"], ["run", "--ranks", "two"]])
