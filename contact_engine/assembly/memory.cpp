@@ -39,14 +39,10 @@ constexpr double soon = 0.6;
 
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
                     double tolerance, double growth) {
-    std::unordered_map<std::int32_t, double> deepest, longest;
-    for (const auto& e : elements)
-        longest[e.zone] = std::max(longest[e.zone], e.weight);
+    std::unordered_map<std::int32_t, double> deepest;
     for (const auto& e : elements) {
-        // Stations that stand for next to nothing cannot hold a zone apart, nor need it.
-        const double share = std::min(1.0, 4 * e.weight / longest[e.zone]);
         auto& d = deepest[e.zone];
-        d = std::max(d, -share * local_system(tubes, e, q).gap);
+        d = std::max(d, -local_system(tubes, e, q).gap);
     }
     const auto count = [&](double limit) {
         return static_cast<int>(

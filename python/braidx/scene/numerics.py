@@ -16,7 +16,7 @@ class ContactOptions(Table):
 
     friction: float = option(0.1, minimum=0.0, maximum=2.0, doc="Coefficient of friction.")
     penetration_tolerance: float = option(
-        0.014,
+        0.015,
         unit="yarn radius",
         above=0.0,
         maximum=0.5,
