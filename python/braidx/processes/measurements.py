@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..geometry import Rope
-from ..output.measures import linear_fit, outer_diameter, yarn_stress
+from ..output.measures import linear_fit, mean_tape_diameter, outer_diameter, yarn_stress
 from ..output.snapshot import Snapshot
 from ..scene import Pull, Scene
 
@@ -16,6 +16,8 @@ STATE_RESULTS = {
     "efficiency": "-",
     "outer_diameter_formed": "mm",
     "outer_diameter_loaded": "mm",
+    "tape_diameter_formed": "mm",
+    "tape_diameter_loaded": "mm",
     "max_penetration_over_radius": "-",
     "wrong_side_crossings": "count",
     "yarn_stress_mean": "MPa",
@@ -28,6 +30,7 @@ STATE_RESULTS = {
 
 FIRST_PULL = (
     "outer_diameter_loaded",
+    "tape_diameter_loaded",
     *(name for name in STATE_RESULTS if name.startswith("yarn_stress")),
 )
 
@@ -37,10 +40,12 @@ def state_results(name: str, picture: Snapshot, wrong: int, forming: bool) -> di
     results: dict[str, float] = {"wrong_side_crossings": float(wrong)}
     if forming and name == "formed":
         results["outer_diameter_formed"] = outer_diameter(picture)
+        results["tape_diameter_formed"] = mean_tape_diameter(picture)
     if picture.axial_stress is not None and name.endswith(("kN", "strain")):
         stress = yarn_stress(picture)
         results |= {
             "outer_diameter_loaded": outer_diameter(picture),
+            "tape_diameter_loaded": mean_tape_diameter(picture),
             "yarn_stress_mean": stress.mean,
             "yarn_stress_std": stress.std,
             "yarn_stress_min": stress.min,
