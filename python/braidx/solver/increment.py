@@ -18,7 +18,7 @@ FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
 GROWTH = 10.0  # largest factor on the penalty of a zone that penetrates too deep, at a time
 EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
 FORCING = 0.03  # an equilibrium is found to this fraction of the residual that its contact elements started with
-REACH = 0.3  # elements that sections may move before the tangent of repeated contact updates needs a new pattern
+REACH = 0.1  # elements that sections may move before the tangent of repeated contact updates needs a new pattern
 NEW_POINTS = 1  # contact updates of an increment that may change which point stations there are
 UNFOLLOWED = 2  # updates with frozen sections after following ones did not converge
 
