@@ -36,7 +36,8 @@ std::uint64_t block_key(std::int64_t row, std::int64_t col) {
     return std::uint64_t(row / 3) << 32 | std::uint64_t(col / 3);
 }
 
-/// Calls visit(unknowns, count, fresh) for each contact element; fresh: not those of the one before.
+/// Calls visit(unknowns, count, fresh) for each contact element; fresh: not those of the one
+/// before.
 template <class Visit>
 void for_each_group(const std::vector<Tube>& tubes, const ContactElements& elements,
                     const Visit& visit) {

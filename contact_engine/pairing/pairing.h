@@ -28,7 +28,8 @@ struct Surfaces {
     std::vector<Rigid> rigid;
 };
 
-/// Whether pairs of a tube with a tube, or with a rigid surface of this number, are this process's own.
+/// Whether pairs of a tube with a tube, or with a rigid surface of this number, are this process's
+/// own.
 bool is_own(const PairingOptions& options, std::int64_t tube, std::int64_t other);
 
 /// Contact elements for the current configuration. Those of `previous` hand on slip, work, penalty

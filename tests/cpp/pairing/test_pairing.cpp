@@ -162,7 +162,8 @@ TEST_CASE("stacking order rules a crossing until it is separated, then geometry"
 TEST_CASE("kept point stations keep their weight and follow the closest approach", "[pairing]") {
     Rods rods;
     rods.add_straight(smooth_cable, 10, 1.0, {0, 0, 0}, {0, 0, 20});
-    rods.add_straight(smooth_cable, 10, 1.0, {1.98, -8, 4}, {1.98, 8, 15}); // 34.5 degrees: half sharp
+    rods.add_straight(smooth_cable, 10, 1.0, {1.98, -8, 4},
+                      {1.98, 8, 15}); // 34.5 degrees: half sharp
     const auto points = [](const ContactElements& elements) {
         ContactElements out;
         for (const auto& e : elements)
