@@ -31,11 +31,10 @@ PRESSED = 0.06  # penetration over radius at which nodes are no longer spread
 PRESS_ON = (
     1.5  # factor on the penalty that would just bring yarns to the tolerance when they come to rest
 )
-RAISE = 3.0  # factor on the penalty, every RAISE_EVERY increments once the die is open
-RAISE_EVERY = 3
-PASSING = (1e-2, 5)  # tolerance and iterations of Newton for states that are only passed through
-COARSER = 2.0  # factor on the spacing of stations for those states
-RESTING = 10.0  # factor on the stabilisation while the rope comes to rest: yarns that slide off each other are slow
+RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once the die is open
+RAISE_EVERY = 4
+COARSER = 2.0  # factor on the spacing of stations until the die is open
+PASSING = (1e-2, 8)  # tolerance and iterations of Newton for states that are only passed through
 REST = 2  # increments that the rope is given to come to rest, with consistent pairs
 RETRIES = 4  # doublings of the viscosity before forming gives up
 SNAPSHOTS = 4  # pictures on the way
@@ -132,7 +131,7 @@ class Former:
         """Spreads nodes evenly, renews the tension, and puts the die where it belongs; not while resting."""
         model, number, contact = self.model, self._number, self.model.contact
         contact.pairing.stiffness = number["penalty"]
-        contact.pairing.spacing = self._spacing * (1.0 if number["pressed"] else COARSER)
+        contact.pairing.spacing = self._spacing * (1.0 if number["opened"] else COARSER)
         contact.pairing.crossing.by_point = bool(number["separated"])
         assert isinstance(model.body, CableBody)
         if not number["rested"]:
@@ -159,9 +158,8 @@ class Former:
             newton.restore_options()
             contact.laws.gap_step = -1.0
             contact.laws.friction = [self.model.scene.contact.friction]
-        viscosity = self._viscosity * (RESTING if number["pressed"] else 1.0)
         for retry in range(RETRIES + 1):
-            self.model.set_viscosity(viscosity * 2**retry)
+            self.model.set_viscosity(self._viscosity * 2**retry)
             try:
                 return self.model.incrementer.solve(
                     self.state.q, self.state.q, options, number["stiffening"]
