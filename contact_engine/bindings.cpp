@@ -193,9 +193,16 @@ NB_MODULE(braidx_engine, m) {
     m.def(
         "adapt_stiffness",
         [](const std::vector<Tube>& tubes, ContactElements& elements, const In<double>& q,
-           double tolerance,
-           double growth) { return adapt_stiffness(tubes, elements, view(q), tolerance, growth); },
-        "tubes"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a);
+           double tolerance, double growth, double elsewhere) {
+            return adapt_stiffness(tubes, elements, view(q), tolerance, growth, elsewhere);
+        },
+        "tubes"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a, "elsewhere"_a = 0.0);
+    m.def(
+        "deepest_penetration",
+        [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q) {
+            return deepest_penetration(tubes, elements, view(q));
+        },
+        "tubes"_a, "elements"_a, "q"_a);
     m.def("freeze_sections", &freeze_sections, "elements"_a);
     m.def("sum_log_stiffness", &sum_log_stiffness, "elements"_a);
     m.def("scale_stiffness", &scale_stiffness, "elements"_a, "factor"_a);

@@ -38,7 +38,7 @@ constexpr double soon = 0.6;
 } // namespace
 
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
-                    double tolerance, double growth) {
+                    double tolerance, double growth, double elsewhere) {
     std::unordered_map<std::int32_t, double> deepest;
     for (const auto& e : elements) {
         auto& d = deepest[e.zone];
@@ -48,12 +48,20 @@ int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, U
         return static_cast<int>(
             std::ranges::count_if(deepest, [&](const auto& d) { return d.second > limit; }));
     };
-    if (count(tolerance) == 0)
+    if (elsewhere <= tolerance && count(tolerance) == 0)
         return 0;
     for (auto& e : elements)
         if (const double ratio = deepest[e.zone] / tolerance; ratio > soon)
             e.stiffness *= std::min(growth, headroom * ratio);
     return count(soon * tolerance);
+}
+
+double deepest_penetration(const std::vector<Tube>& tubes, const ContactElements& elements,
+                           Unknowns q) {
+    double deepest = 0;
+    for (const auto& e : elements)
+        deepest = std::max(deepest, -local_system(tubes, e, q).gap);
+    return deepest;
 }
 
 double sum_log_stiffness(const ContactElements& elements) {

@@ -16,8 +16,13 @@ Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unkn
 
 /// Where a proximity zone penetrates deeper than `tolerance` (mm), penalties of all that do, or are
 /// about to, grow so that they will not, by `growth` at most. Returns the number of zones changed.
+/// `elsewhere`: deepest penetration of other processes, which count like one's own.
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
-                    double tolerance, double growth);
+                    double tolerance, double growth, double elsewhere = 0);
+
+/// Deepest penetration, mm, at least 0.
+double deepest_penetration(const std::vector<Tube>& tubes, const ContactElements& elements,
+                           Unknowns q);
 
 /// Sum of the logarithms of all penalties: with their number, the geometric mean.
 double sum_log_stiffness(const ContactElements& elements);

@@ -127,7 +127,13 @@ class Contact:
 
     def adapt_stiffness(self, q: Floats, tolerance: float, growth: float = 3.0) -> int:
         """Raises penalties where penetration exceeds `tolerance` (mm); number of zones changed, all processes."""
-        changed = engine.adapt_stiffness(self.tubes, self.elements, q, tolerance, growth)
+        deepest = 0.0
+        if (
+            self.comm.size > 1
+        ):  # whether zones near the tolerance are raised, too, is decided together
+            deepest = engine.deepest_penetration(self.tubes, self.elements, q)
+            deepest = self.comm.allreduce(deepest, op=MPI.MAX)
+        changed = engine.adapt_stiffness(self.tubes, self.elements, q, tolerance, growth, deepest)
         return self.comm.allreduce(changed)
 
     def scale_stiffness(self, factor: float) -> None:

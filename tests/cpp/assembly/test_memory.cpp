@@ -123,6 +123,11 @@ TEST_CASE("penalties grow by zone until penetrations are tolerable", "[memory]")
                                growth);
     };
     CHECK(adapt(0.03, 3) == 0);
+    CHECK(std::abs(deepest_penetration(contact.rods.tubes, contact.elements, contact.rods.q) -
+                   0.02) < 1e-12);
+    auto nearby = contact.elements; // another process has a zone that is too deep
+    CHECK(adapt_stiffness(contact.rods.tubes, nearby, contact.rods.q, 0.03, 3, 0.04) == 1);
+    CHECK(std::abs(nearby[0].stiffness - 500 * 1.6 * 0.02 / 0.03) < 1e-9);
     CHECK(contact.elements[0].stiffness == 500);
     CHECK(adapt(0.015, 10) == 1);
     CHECK(std::abs(contact.elements[0].stiffness - 500 * 1.6 * 0.02 / 0.015) < 1e-9);
