@@ -5,14 +5,15 @@ on both axial force and bending locks, because a section that can only deform un
 constrained modulus in bending. The energy is therefore split: the full law acts on the strain at
 the centroid, uniaxial moduli on the parts linear in (xi1, xi2):
 
-    psi = A w(E0) + 1/2 beta E sum_a I_a k_a^2 + 1/2 beta_t G sum_ab I_ab t_ab^2
+    psi = A w(E0) + T0 E0_33 + 1/2 beta E sum_a I_a k_a^2 + 1/2 beta_t G sum_ab I_ab t_ab^2
     E0 = 1/2 (F^T F - F0^T F0),  F = [g1 g2 x']
     k_a = x' . g_a' - X' . G_a'          curvature
     t_ab = g_a . g_b' - G_a . G_b'       torsion (a != b), gradient of the section's stretch (a = b)
 
 with I_a the integral of xi_a^2 over the section, I_ab = I_b for a = b and I_b J / (I_1 + I_2) else,
 so that J is the torsion constant. beta is paper 1's reduction of the stiffness of bending ("bundle
-factor", about one over the number of filaments), beta_t the same for torsion.
+factor", about one over the number of filaments), beta_t the same for torsion. T0 is the tension of
+the reference state, whose sections and curvature may be free of stress all the same.
 """
 
 from typing import Any, NamedTuple
@@ -40,6 +41,7 @@ class Section(NamedTuple):
     bundle_factor: Any  # beta, -
     torsion_factor: Any  # beta_t, -
     natural_curvature: Any  # share of the placed curvature and torsion free of stress, 0 to 1
+    tension: Any  # T0, axial force in the reference state, N
 
 
 class Frame(NamedTuple):
@@ -86,6 +88,11 @@ def centroid_strain(now: Frame, rest: Frame) -> Strain:
     )
 
 
+def stretching_energy(strain: Strain, section: Section, law: TransverselyIsotropic) -> Any:
+    """Energy of the axial strain per reference length, N, tension of the reference state included."""
+    return section.area * axial_energy(strain, law) + section.tension * strain.e33
+
+
 def bending_energy(now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic) -> Any:
     """Energy of bending per reference length, N."""
     inertias = (section.inertia_1, section.inertia_2)
@@ -126,7 +133,7 @@ def energy(
         degree: Degree of the line elements, 1 or 2.
     """
     strain = centroid_strain(now, rest)
-    axis = section.area * axial_energy(strain, law) + section.shear_area * shear_energy(strain, law)
+    axis = stretching_energy(strain, section, law) + section.shear_area * shear_energy(strain, law)
     turning = bending_energy(now, rest, section, law) + torsion_energy(now, rest, section, law)
     stretch = section.area * section_energy(strain, law)
     return [gauss(axis + turning, num_points=degree), nodal(stretch, degree)]
@@ -137,7 +144,7 @@ def axial_force(now: Frame, rest: Frame, section: Section, law: TransverselyIsot
     slope = ufl.variable(now.slope)
     moved = now._replace(slope=slope)
     strain = centroid_strain(moved, rest)
-    normal = section.area * (axial_energy(strain, law) + section_energy(strain, law))
+    normal = stretching_energy(strain, section, law) + section.area * section_energy(strain, law)
     shear = section.shear_area * shear_energy(strain, law)
     density = normal + shear + bending_energy(moved, rest, section, law)
     return ufl.dot(ufl.diff(density, slope), slope) / ufl.sqrt(ufl.dot(slope, slope))

@@ -16,10 +16,9 @@ from pathlib import Path
 from mpi4py import MPI
 from petsc4py import PETSc
 
-from braidx.geometry import build_rope
 from braidx.processes import state as checkpoint
 from braidx.processes.model import RopeModel
-from braidx.processes.run import make_model
+from braidx.processes.start import make_model
 from braidx.scene import load_scene
 from braidx.system.terms import BodyTerm
 
@@ -30,8 +29,7 @@ def load_model(folder: Path) -> tuple[RopeModel, checkpoint.State]:
     if state is None:
         raise SystemExit(f"{folder}: no checkpoint")
     scene = load_scene(folder / "scene.toml")
-    rope = build_rope(scene)
-    model = make_model(MPI.COMM_SELF, scene, rope, state)
+    model = make_model(MPI.COMM_SELF, scene, state)
     model.set_viscosity(scene.solver.viscosity, scene.solver.director_viscosity)
     return model, state
 

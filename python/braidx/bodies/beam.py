@@ -39,6 +39,7 @@ class BeamBody(CurveBody):
         torsion_factor: Factor on the torsion stiffness, likewise; the bundle factor by default.
         natural_state: "as placed": the reference is free of stress; "straight": the yarn would be
             straight and untwisted if it were set free.
+        tension: Axial force in the reference state, N; one value, one per curve or one per element.
     """
 
     def __init__(
@@ -53,6 +54,7 @@ class BeamBody(CurveBody):
         bundle_factor: npt.ArrayLike = 1.0,
         torsion_factor: npt.ArrayLike | None = None,
         natural_state: NaturalState = "as placed",
+        tension: npt.ArrayLike = 0.0,
     ) -> None:
         positions = stack_lines(centre_lines)
         if directors is None:
@@ -71,6 +73,7 @@ class BeamBody(CurveBody):
             bundle_factor=bundle_factor,
             torsion_factor=bundle_factor if torsion_factor is None else torsion_factor,
             natural_state=natural_state,
+            tension=tension,
         )
         now = beam.current_frame(self._state, self._tangent)
         placed = beam.rest_frame(self._rest_state, self._tangent)
@@ -89,6 +92,7 @@ class BeamBody(CurveBody):
         bundle_factor: npt.ArrayLike | None = None,
         torsion_factor: npt.ArrayLike | None = None,
         natural_state: NaturalState | None = None,
+        tension: npt.ArrayLike | None = None,
     ) -> None:
         """Change properties, as in the constructor, without a new compilation; what is None stays.
 
@@ -114,6 +118,8 @@ class BeamBody(CurveBody):
                     f'natural_state is "{natural_state}": give "as placed" or "straight"'
                 )
             values[:, column["natural_curvature"]] = float(natural_state == "as placed")
+        if tension is not None:
+            values[:, column["tension"]] = self.layout.per_element(tension, "tension")
         self._section.set(values)
         if material is not None:
             laws = _per_curve(material, self.layout.num_curves, "material")

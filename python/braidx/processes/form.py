@@ -36,6 +36,7 @@ RAISE_EVERY = 4
 COARSER = 2.0  # factor on the spacing of stations until the die is open
 PASSING = (1e-2, 8)  # tolerance and iterations of Newton for states that are only passed through
 REST = 2  # increments that the rope is given to come to rest, with consistent pairs
+AFTER_ONE_PITCH = {"rested": REST - 1.0, "stiffening": 1.0}  # what a rope of such pitches has to do
 RETRIES = 4  # doublings of the viscosity before forming gives up
 SNAPSHOTS = 4  # pictures on the way
 
@@ -111,8 +112,13 @@ class Former:
             None,
             force,
             cost=(increment.iterations, increment.linear_solves),
-            snapshot="formed" if self.finished else name,
+            snapshot=self._formed if self.finished else name,
         )
+
+    @property
+    def _formed(self) -> str:
+        whole = self.state.pitches == self.model.scene.rope.pitches
+        return "formed" if whole else "one pitch formed"
 
     def check(self) -> None:
         """Raises NotConverged unless the shape found is one of yarns that do not penetrate."""

@@ -110,8 +110,10 @@ def cable_body(
     )
 
 
-def beam_body(comm: MPI.Comm, scene: Scene, lines: Sequence[Floats]) -> BeamBody:
-    """Yarns as beams along the given centre lines, stress-free as placed (or straight)."""
+def beam_body(
+    comm: MPI.Comm, scene: Scene, lines: Sequence[Floats], tension: Floats | float
+) -> BeamBody:
+    """Yarns as beams along the given centre lines, under tension but unbent as placed (or straight)."""
     yarn = scene.yarn
     circle = BeamSection.round(yarn.radius)
     inertia_1 = yarn.inertia_1 or circle.inertia_1
@@ -140,6 +142,7 @@ def beam_body(comm: MPI.Comm, scene: Scene, lines: Sequence[Floats]) -> BeamBody
         bundle_factor=yarn.bundle_factor,
         torsion_factor=yarn.torsion_factor,
         natural_state="straight" if yarn.natural_state == "straight" else "as placed",
+        tension=tension,
     )
 
 

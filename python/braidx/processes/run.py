@@ -8,19 +8,19 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from mpi4py import MPI
 
-from ..geometry import Rope, build_rope
+from ..geometry import build_rope
 from ..output.log import LOGGER
 from ..output.summary import PhaseCost
 from ..scene import Cycle, Form, Hold, Pull, Scene, Settle, Step
 from . import state as checkpoint
 from .form import form
-from .model import RopeModel, beam_body, cable_body, periodic_directors
+from .model import RopeModel
 from .outcome import NotConverged, Outcome
 from .pull import cycle, hold, pull, settle
 from .recorder import Recorder
+from .start import in_own_model, laid_end_to_end, make_model, start_state
 from .state import State
 
 STEPS: dict[type[Step], Callable[..., Iterator[Outcome]]] = {
@@ -49,9 +49,8 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
     rope = build_rope(scene)
     state = checkpoint.load(folder) if resume else None
     recorder = Recorder(comm, scene, rope, folder, state)
-    state = state or start_state(scene, rope)
     try:
-        state = _run_steps(comm, scene, rope, state, recorder)
+        _run_steps(comm, scene, state or start_state(scene), recorder)
     except NotConverged as failure:
         LOGGER.error("%s", failure)
         recorder.finish(converged=False)
@@ -59,72 +58,7 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
     return recorder.finish(converged=True)
 
 
-def start_state(scene: Scene, rope: Rope) -> State:
-    """The start configuration; a scene that forms nothing starts with straight-away yarns as placed."""
-    q = np.concatenate(rope.centre_lines).ravel()
-    tension = np.zeros((len(rope.centre_lines[0]) - 1) // scene.yarn.degree * rope.num_yarns)
-    state = State(
-        q=q, model="forming", reference=q.copy(), rest_tension=tension, rate=np.zeros_like(q)
-    )
-    return state if isinstance(scene.steps[0], Form) else in_own_model(scene, state)
-
-
-def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: float = 0.0) -> State:
-    """A formed rope in the scene's own model of the yarns.
-
-    Its shape becomes the reference. Tensions and contact forces of forming are scaled to a small force on the
-    rope, together: it stays in equilibrium.
-
-    Args:
-        scene: The scene.
-        state: State at the end of forming.
-        force: Force wanted on the rope, N.
-        axial_force: Force on the rope at the end of forming, N.
-    """
-    scale = force / axial_force if axial_force > 0 else 1.0
-    contacts = dict(state.contacts)
-    if contacts:
-        contacts["stiffness"] = scale * contacts["stiffness"]
-        contacts["slip"] = 0.0 * contacts["slip"]
-    q = state.q
-    if scene.yarn.model == "beam":
-        lines = np.split(q.reshape(-1, 3), _num_yarns(scene, state))
-        q = np.concatenate([_with_directors(line) for line in lines]).ravel()
-    return replace(
-        state,
-        model=scene.yarn.model,
-        q=q,
-        reference=q.copy(),
-        rest_tension=scale * state.rest_tension,
-        rate=np.zeros_like(q),
-        contacts=contacts,
-        stabilisation_work=0.0,
-        progress={},
-    )
-
-
-def make_model(comm: MPI.Comm, scene: Scene, rope: Rope, state: State) -> RopeModel:
-    """The rope in the model that a state belongs to, with the state's contact history."""
-    block = 9 if state.model == "beam" else 3
-    reference = np.split(state.reference.reshape(-1, block)[:, :3], rope.num_yarns)
-    body: Any
-    if state.model == "forming":
-        # Material coordinates are those of the start, wherever nodes were spread to.
-        body = cable_body(comm, scene, rope.centre_lines, 1.0, 0.0)
-    elif state.model == "cable":
-        body = cable_body(comm, scene, reference, scene.yarn.axial_stiffness, state.rest_tension)
-    else:
-        body = beam_body(comm, scene, reference)
-    model = RopeModel(comm, scene, rope, body)
-    if state.model == "forming":
-        body.set_reference(state.reference.reshape(-1, block))
-    model.contact.start = model.proximal.start = state.q
-    if state.contacts:
-        model.contact.restore_arrays(state.contacts)
-    return model
-
-
-def _run_steps(comm: MPI.Comm, scene: Scene, rope: Rope, state: State, recorder: Recorder) -> State:
+def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -> None:
     model: RopeModel | None = None
     while state.step < len(scene.steps):
         step = scene.steps[state.step]
@@ -133,7 +67,7 @@ def _run_steps(comm: MPI.Comm, scene: Scene, rope: Rope, state: State, recorder:
             state = in_own_model(scene, state, force, state.results.get("formed_force", 0.0))
             model = None
         if model is None:
-            model = make_model(comm, scene, rope, state)
+            model = make_model(comm, scene, state)
         recorder.begin(step, model)
         clock = time.perf_counter()
         for outcome in _named(STEPS[type(step)](model, state, step), state.increment):
@@ -141,9 +75,11 @@ def _run_steps(comm: MPI.Comm, scene: Scene, rope: Rope, state: State, recorder:
             state = _counted(outcome, state, step, seconds)
             recorder.record(model, step, replace(outcome, state=state), seconds)
             clock = time.perf_counter()
-        state = state.next_step()
+        if state.pitches < scene.rope.pitches:
+            state, model = laid_end_to_end(scene, state), None
+        else:
+            state = state.next_step()
         recorder.checkpoint(state)
-    return state
 
 
 def _named(outcomes: Iterator[Outcome], done: int) -> Iterator[Outcome]:
@@ -176,12 +112,3 @@ def _counted(outcome: Outcome, before: State, step: Step, seconds: float) -> Sta
             else before.results
         ),
     )
-
-
-def _with_directors(line: np.ndarray) -> np.ndarray:
-    return np.hstack([line, periodic_directors(line).reshape(-1, 6)])
-
-
-def _num_yarns(scene: Scene, state: State) -> int:
-    nodes = scene.yarn.elements_per_pitch * scene.rope.pitches * scene.yarn.degree + 1
-    return len(state.q) // (3 * nodes)

@@ -36,6 +36,7 @@ class State:
         rate: Change of q per unit of rope strain in the last increment, shape as q; zero at first.
         stabilisation_work: Work the stabilisation has taken since the reference state was set, mJ.
         friction_work: Work dissipated by friction since the start of the run, mJ.
+        pitches: Number of pitches it covers: forming finds the shape of one first.
     """
 
     q: Floats
@@ -51,6 +52,7 @@ class State:
     costs: dict[str, PhaseCost] = field(default_factory=dict)
     stabilisation_work: float = 0.0
     friction_work: float = 0.0
+    pitches: int = 1
 
     def next_step(self) -> State:
         """The same state at the beginning of the step that follows."""
@@ -71,6 +73,7 @@ def save(state: State, folder: Path) -> None:
         "costs": {name: asdict(cost) for name, cost in state.costs.items()},
         "stabilisation_work": state.stabilisation_work,
         "friction_work": state.friction_work,
+        "pitches": state.pitches,
     }
     part = folder / (FILE + ".part")
     with part.open("wb") as file:

@@ -15,7 +15,7 @@ from braidx.forms.curve import Part, integral, unit_tangent
 from braidx.forms.materials import TransverselyIsotropic
 
 LAW = TransverselyIsotropic(10.0, 3.0, 2.0, 0.2, 0.3)
-SECTION = beam.Section(2.0, 1.5, 0.3, 0.4, 0.5, 1e-4, 1e-4, 1.0)
+SECTION = beam.Section(2.0, 1.5, 0.3, 0.4, 0.5, 1e-4, 1e-4, 1.0, 0.1)
 
 
 class BeamLine(NamedTuple):

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from mpi4py import MPI
 
-from braidx.geometry import build_rope
-from braidx.processes.run import make_model, start_state
+from braidx.processes.start import make_model, start_state
 from braidx.scene import load_scene
 from braidx.solver.increment import Diverged, IncrementOptions
 
@@ -18,9 +17,8 @@ def short_strand(*overrides):
     """A short strand at rest, and its first state."""
     small = ["rope.pitches=1", "yarn.elements_per_pitch=20", "contact.friction=0.3"]
     scene = load_scene(STRAND, [*small, *overrides])
-    rope = build_rope(scene)
-    state = start_state(scene, rope)
-    model = make_model(MPI.COMM_SELF, scene, rope, state)
+    state = start_state(scene)
+    model = make_model(MPI.COMM_SELF, scene, state)
     model.set_viscosity(scene.solver.viscosity, scene.solver.director_viscosity)
     return model, state.q
 

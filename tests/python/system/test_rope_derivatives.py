@@ -7,8 +7,7 @@ import pytest
 import scipy.sparse as sp
 from mpi4py import MPI
 
-from braidx.geometry import build_rope
-from braidx.processes.run import make_model, start_state
+from braidx.processes.start import make_model, start_state
 from braidx.scene import load_scene
 
 STRAND = Path(__file__).parents[3] / "demos" / "twisted_strand.toml"
@@ -27,9 +26,8 @@ def strand_model(model, friction, transverse="periodic"):
         "yarn.bundle_factor=0.1",
     ]
     scene = load_scene(STRAND, overrides)
-    rope = build_rope(scene)
-    state = start_state(scene, rope)
-    rope_model = make_model(MPI.COMM_SELF, scene, rope, state)
+    state = start_state(scene)
+    rope_model = make_model(MPI.COMM_SELF, scene, state)
     rng = np.random.default_rng(3)
     q = state.q + 2e-3 * rng.standard_normal(len(state.q))
     system, contact = rope_model.system, rope_model.contact

@@ -1,0 +1,135 @@
+"""What a step starts from: the start configuration, a pitch laid end to end, a formed rope in its own model."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from mpi4py import MPI
+
+from ..geometry import Rope, build_rope
+from ..scene import Form, Scene
+from ..system.constraints import Floats
+from .form import AFTER_ONE_PITCH
+from .model import RopeModel, beam_body, cable_body, periodic_directors
+from .state import State
+
+
+def start_state(scene: Scene) -> State:
+    """The start configuration: one pitch if it is to be formed, the whole rope as placed if not."""
+    forms = isinstance(scene.steps[0], Form)
+    pitches = 1 if forms else scene.rope.pitches
+    rope = _rope(scene, pitches)
+    q = np.concatenate(rope.centre_lines).ravel()
+    elements = scene.yarn.elements_per_pitch * pitches * rope.num_yarns
+    state = State(
+        q=q,
+        model="forming",
+        reference=q.copy(),
+        rest_tension=np.zeros(elements),
+        rate=np.zeros_like(q),
+        pitches=pitches,
+    )
+    return state if forms else in_own_model(scene, state)
+
+
+def laid_end_to_end(scene: Scene, state: State) -> State:
+    """The whole rope from one formed pitch, whose two end sections are alike across the rope.
+
+    At the joints contact elements lack what lies beyond the end: the whole rope has to come to rest once more,
+    from penalties as high as they have become on average.
+    """
+    pitches, pitch = scene.rope.pitches, scene.rope.pitch
+    tension = state.rest_tension.reshape(-1, scene.yarn.elements_per_pitch)
+    number = {**state.progress, **AFTER_ONE_PITCH}
+    if state.contacts:
+        number["penalty"] = float(np.exp(np.log(state.contacts["stiffness"]).mean()))
+
+    def repeated(q: Floats) -> Floats:
+        lines = q.reshape(len(tension), -1, 3)
+        shifts = pitch * np.arange(pitches)[:, None, None] * np.array([0.0, 0.0, 1.0])
+        parts = [lines[:, :-1] + shift for shift in shifts]
+        return np.concatenate([*parts, lines[:, -1:] + shifts[-1]], axis=1).ravel()
+
+    return replace(
+        state,
+        q=repeated(state.q),
+        reference=repeated(state.reference),
+        rest_tension=np.tile(tension, pitches).ravel(),
+        rate=np.zeros(0),
+        contacts={},
+        progress=number,
+        pitches=pitches,
+    )
+
+
+def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: float = 0.0) -> State:
+    """A formed rope in the scene's own model of the yarns.
+
+    Its shape becomes the reference. Tensions and contact forces of forming are scaled to a small force on the
+    rope, together: it stays in equilibrium.
+
+    Args:
+        scene: The scene.
+        state: State at the end of forming.
+        force: Force wanted on the rope, N.
+        axial_force: Force on the rope at the end of forming, N.
+    """
+    scale = force / axial_force if axial_force > 0 else 1.0
+    contacts = dict(state.contacts)
+    if contacts:
+        contacts["stiffness"] = scale * contacts["stiffness"]
+        contacts["slip"] = 0.0 * contacts["slip"]
+    q = state.q
+    if scene.yarn.model == "beam":
+        lines = np.split(q.reshape(-1, 3), _num_yarns(scene, state))
+        q = np.concatenate([_with_directors(line) for line in lines]).ravel()
+    return replace(
+        state,
+        model=scene.yarn.model,
+        q=q,
+        reference=q.copy(),
+        rest_tension=scale * state.rest_tension,
+        rate=np.zeros_like(q),
+        contacts=contacts,
+        stabilisation_work=0.0,
+        progress={},
+    )
+
+
+def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
+    """The rope in the model that a state belongs to, with the state's contact history."""
+    rope = _rope(scene, state.pitches)
+    if state.pitches < scene.rope.pitches:  # the ends of a part are alike
+        scene = replace(scene, ends=replace(scene.ends, transverse="periodic"))
+    block = 9 if state.model == "beam" else 3
+    reference = np.split(state.reference.reshape(-1, block)[:, :3], rope.num_yarns)
+    body: Any
+    if state.model == "forming":
+        # Material coordinates are those of the start, wherever nodes were spread to.
+        body = cable_body(comm, scene, rope.centre_lines, 1.0, 0.0)
+    elif state.model == "cable":
+        body = cable_body(comm, scene, reference, scene.yarn.axial_stiffness, state.rest_tension)
+    else:
+        body = beam_body(comm, scene, reference, state.rest_tension)
+    model = RopeModel(comm, scene, rope, body)
+    if state.model == "forming":
+        body.set_reference(state.reference.reshape(-1, block))
+    model.contact.start = model.proximal.start = state.q
+    if state.contacts:
+        model.contact.restore_arrays(state.contacts)
+    return model
+
+
+def _with_directors(line: np.ndarray) -> np.ndarray:
+    return np.hstack([line, periodic_directors(line).reshape(-1, 6)])
+
+
+def _num_yarns(scene: Scene, state: State) -> int:
+    nodes = scene.yarn.elements_per_pitch * state.pitches * scene.yarn.degree + 1
+    return len(state.q) // (3 * nodes)
+
+
+def _rope(scene: Scene, pitches: int) -> Rope:
+    return build_rope(replace(scene, rope=replace(scene.rope, pitches=pitches)))
