@@ -37,6 +37,7 @@ class Contact:
     """Contact elements between tubes and their forces.
 
     Attributes:
+        layout: The tubes.
         elements: The current contact elements (engine object).
         laws: Laws of contact (engine object): regularisation, reversible slip, gap step, friction.
         pairing: How contact elements are made (engine object).
@@ -65,7 +66,7 @@ class Contact:
             smooth=smooth,
             **int32,
         )
-        self.comm = comm
+        self.comm, self.layout = comm, layout
         self.min_radius = float(layout.radius.min())
         self.crossings = crossings if crossings is not None else no_crossings()
         self.symmetric = symmetric

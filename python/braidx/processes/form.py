@@ -163,7 +163,10 @@ class Former:
             options = IncrementOptions(penetration=self._tolerance)
             newton.restore_options()
             contact.laws.gap_step = -1.0
-            contact.laws.friction = [self.model.scene.contact.friction]
+            friction = self.step.friction
+            contact.laws.friction = [
+                self.model.scene.contact.friction if friction is None else friction
+            ]
         for retry in range(RETRIES + 1):
             self.model.set_viscosity(self._viscosity * 2**retry)
             try:

@@ -30,6 +30,7 @@ class RopeModel:
         ends: The two end sections.
         system: Global system of body, contact, loads and stabilisation.
         incrementer: Solves one increment.
+        preload_energy: Elastic energy of the reference state, mJ.
     """
 
     def __init__(
@@ -40,6 +41,7 @@ class RopeModel:
         body: CableBody | BeamBody,
     ) -> None:
         self.comm, self.scene, self.rope, self.body = comm, scene, rope, body
+        self.preload_energy = 0.0
         size = body.num_unknowns
         self.contact = make_contact(comm, scene, rope, body)
         self.proximal = ProximalTerm(size, comm.rank)
@@ -82,9 +84,9 @@ class RopeModel:
         return self.body.tension(q.reshape(-1, self.body.block))
 
     def internal_energy(self, q: Floats) -> float:
-        """Elastic energy of the yarns of all processes, mJ."""
+        """Elastic energy of the yarns of all processes, mJ, that of the reference state's tension included."""
         self.body.set_state(q.reshape(-1, self.body.block))
-        return float(self.comm.allreduce(self.body.energy()))
+        return float(self.comm.allreduce(self.body.energy())) + self.preload_energy
 
     def axial_force(self, q: Floats) -> float:
         """Force that the far end section is pulled with, N, at the state of the last solve."""

@@ -16,7 +16,9 @@ from .outcome import NotConverged, Outcome
 from .state import State
 
 LANDING = 0.002  # a force is reached when it is missed by less than this fraction
-REST = 1e-3  # settled: the stabilisation's work in an increment, over the internal energy
+SETTLED = 0.05  # settled: the force is missed by less than this fraction (at zero force: yarns
+UNSTRETCHED = 1e-6  # would be strained by less than this), and
+REST = 1e-3  # the stabilisation's work in an increment, over the internal energy
 
 
 @dataclass
@@ -136,16 +138,25 @@ class Puller:
 
 
 def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
-    """Holds the ends until the stabilisation does no more work."""
-    done = int(state.progress.get("settled", 0))
+    """Lets the rope come to rest at a force: until that is met and the stabilisation does no more work.
+
+    The end is moved by what parallel yarns would need for the force that is missing.
+    """
+    done, wanted = int(state.progress.get("settled", 0)), 1e3 * step.force
+    parallel = model.rope.num_yarns * model.scene.yarn.axial_stiffness
+    near = max(SETTLED * wanted, UNSTRETCHED * parallel)
     puller = Puller(model, state)
+    target = state.progress.get("target", puller.strain)
     while done < step.increments:
-        attempt = puller.to(puller.strain)
+        attempt = puller.to(target)
         done += 1
+        missing = wanted - puller.force()
+        target = puller.strain + (missing / parallel if abs(missing) > near else 0.0)
         energy = max(model.internal_energy(puller.state.q), 1e-12)
-        rest = attempt.increment.stabilisation_work < REST * energy
+        rest = attempt.increment.stabilisation_work < REST * energy and target == puller.strain
         done = step.increments if rest else done
-        puller.state = replace(puller.state, progress={**puller.state.progress, "settled": done})
+        reached = {"settled": done, "target": target}
+        puller.state = replace(puller.state, progress={**puller.state.progress, **reached})
         yield _outcome(
             puller, attempt, done / step.increments, "settled" if done == step.increments else None
         )

@@ -20,7 +20,8 @@ from .model import RopeModel
 from .outcome import NotConverged, Outcome
 from .pull import cycle, hold, pull, settle
 from .recorder import Recorder
-from .start import in_own_model, laid_end_to_end, make_model, start_state
+from .pitches import laid_end_to_end
+from .start import in_own_model, make_model, start_state
 from .state import State
 
 STEPS: dict[type[Step], Callable[..., Iterator[Outcome]]] = {
@@ -76,7 +77,7 @@ def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -
             recorder.record(model, step, replace(outcome, state=state), seconds)
             clock = time.perf_counter()
         if state.pitches < scene.rope.pitches:
-            state, model = laid_end_to_end(scene, state), None
+            state, model = laid_end_to_end(model, state), None
         else:
             state = state.next_step()
         recorder.checkpoint(state)

@@ -1,4 +1,4 @@
-"""What a step starts from: the start configuration, a pitch laid end to end, a formed rope in its own model."""
+"""What a step starts from: the start configuration, or a formed rope in its own model."""
 
 from __future__ import annotations
 
@@ -10,8 +10,6 @@ from mpi4py import MPI
 
 from ..geometry import Rope, build_rope
 from ..scene import Form, Scene
-from ..system.constraints import Floats
-from .form import AFTER_ONE_PITCH
 from .model import RopeModel, beam_body, cable_body, periodic_directors
 from .state import State
 
@@ -32,36 +30,6 @@ def start_state(scene: Scene) -> State:
         pitches=pitches,
     )
     return state if forms else in_own_model(scene, state)
-
-
-def laid_end_to_end(scene: Scene, state: State) -> State:
-    """The whole rope from one formed pitch, whose two end sections are alike across the rope.
-
-    At the joints contact elements lack what lies beyond the end: the whole rope has to come to rest once more,
-    from penalties as high as they have become on average.
-    """
-    pitches, pitch = scene.rope.pitches, scene.rope.pitch
-    tension = state.rest_tension.reshape(-1, scene.yarn.elements_per_pitch)
-    number = {**state.progress, **AFTER_ONE_PITCH}
-    if state.contacts:
-        number["penalty"] = float(np.exp(np.log(state.contacts["stiffness"]).mean()))
-
-    def repeated(q: Floats) -> Floats:
-        lines = q.reshape(len(tension), -1, 3)
-        shifts = pitch * np.arange(pitches)[:, None, None] * np.array([0.0, 0.0, 1.0])
-        parts = [lines[:, :-1] + shift for shift in shifts]
-        return np.concatenate([*parts, lines[:, -1:] + shifts[-1]], axis=1).ravel()
-
-    return replace(
-        state,
-        q=repeated(state.q),
-        reference=repeated(state.reference),
-        rest_tension=np.tile(tension, pitches).ravel(),
-        rate=np.zeros(0),
-        contacts={},
-        progress=number,
-        pitches=pitches,
-    )
 
 
 def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: float = 0.0) -> State:
@@ -116,6 +84,9 @@ def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
     model = RopeModel(comm, scene, rope, body)
     if state.model == "forming":
         body.set_reference(state.reference.reshape(-1, block))
+    else:
+        density = state.rest_tension**2 / (2.0 * scene.yarn.axial_stiffness)
+        model.preload_energy = float(density @ body.rest_lengths())
     model.contact.start = model.proximal.start = state.q
     if state.contacts:
         model.contact.restore_arrays(state.contacts)

@@ -50,6 +50,12 @@ class Form(Step):
         above=0.0,
         doc="Stabilisation of node positions: force per mm moved in the increment.",
     )
+    friction: float | None = option(
+        None,
+        minimum=0.0,
+        doc="Coefficient of friction while the rope comes to rest, after having been separated without friction; "
+        "left out: contact.friction.",
+    )
     increments: int = option(80, minimum=1, doc="Most increments.")
 
 

@@ -1,0 +1,73 @@
+"""One formed pitch laid end to end: the whole rope, nearly at rest.
+
+The two end sections of a pitch are alike across the rope. At the joints contact elements lack what lies beyond the
+end, so that the whole rope has to come to rest once more.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..contact.contact import Contact
+from ..system.constraints import Floats
+from .form import AFTER_ONE_PITCH
+from .model import RopeModel
+from .state import State
+
+POINT_STATION = np.iinfo(np.int64).max  # engine: stations.h
+
+
+def laid_end_to_end(model: RopeModel, state: State) -> State:
+    """The state of all pitches of the scene.
+
+    Args:
+        model: One pitch.
+        state: Its state, formed.
+    """
+    scene = model.scene
+    pitches = scene.rope.pitches
+    tension = state.rest_tension.reshape(-1, scene.yarn.elements_per_pitch)
+    shifts = scene.rope.pitch * np.arange(pitches)[:, None, None] * np.array([0.0, 0.0, 1.0])
+
+    def repeated(q: Floats) -> Floats:
+        lines = q.reshape(len(tension), -1, 3)
+        parts = [lines[:, :-1] + shift for shift in shifts]
+        return np.concatenate([*parts, lines[:, -1:] + shifts[-1]], axis=1).ravel()
+
+    q = repeated(state.q)
+    return replace(
+        state,
+        q=q,
+        reference=repeated(state.reference),
+        rest_tension=np.tile(tension, pitches).ravel(),
+        rate=np.zeros_like(q),
+        contacts=_repeated_contacts(model.contact, state.contacts, pitches),
+        progress={**state.progress, **AFTER_ONE_PITCH},
+        pitches=pitches,
+    )
+
+
+def _repeated_contacts(
+    contact: Contact, arrays: dict[str, np.ndarray], pitches: int
+) -> dict[str, np.ndarray]:
+    """Contact elements of all pitches, with their memory.
+
+    Stations count cells of the mean rest arc length from the start of the tubes (engine: stations.h): each element
+    gets the number of the cell that it stands in now.
+    """
+    tubes = arrays["tubes"]
+    length = contact.layout.element_length[tubes] / contact.pairing.spacing
+
+    def cells(s: np.ndarray, way: int) -> np.ndarray:
+        return np.floor((s * length) @ np.array([0.5, 0.5 * way])).astype(np.int64)
+
+    same_way = cells(arrays["s"], 1) == arrays["station"]
+    parts = []
+    for k in range(pitches):
+        s = arrays["s"] + k * contact.layout.num_elements[tubes]
+        station = np.where(same_way, cells(s, 1), cells(s, -1))
+        at_point = arrays["station"] == POINT_STATION
+        parts.append({**arrays, "s": s, "station": np.where(at_point, POINT_STATION, station)})
+    return {name: np.concatenate([part[name] for part in parts]) for name in arrays}
