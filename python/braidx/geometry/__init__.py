@@ -3,5 +3,6 @@
 from braidx.geometry.checks import check_geometry
 from braidx.geometry.crossings import Crossings
 from braidx.geometry.rope import Rope, build_rope
+from braidx.geometry.symmetry import Rotations, rotations
 
-__all__ = ["Crossings", "Rope", "build_rope", "check_geometry"]
+__all__ = ["Crossings", "Rope", "Rotations", "build_rope", "check_geometry", "rotations"]

@@ -117,8 +117,7 @@ class Former:
 
     @property
     def _formed(self) -> str:
-        whole = self.state.pitches == self.model.scene.rope.pitches
-        return "formed" if whole else "one pitch formed"
+        return "one pitch formed" if self.state.model == "cell" else "formed"
 
     def check(self) -> None:
         """Raises NotConverged unless the shape found is one of yarns that do not penetrate."""

@@ -11,7 +11,7 @@ from mpi4py import MPI
 
 from ..bodies import BeamBody, BeamSection, CableBody, CurveBody, YarnMaterial
 from ..contact.contact import Contact, TubeLayout
-from ..geometry import Crossings, Rope
+from ..geometry import Crossings, Rope, Rotations
 from ..scene import Scene
 from ..solver.increment import Incrementer
 from ..solver.newton import Newton, NewtonOptions
@@ -39,6 +39,7 @@ class RopeModel:
         scene: Scene,
         rope: Rope,
         body: CableBody | BeamBody,
+        symmetry: Rotations | None = None,
     ) -> None:
         self.comm, self.scene, self.rope, self.body = comm, scene, rope, body
         self.preload_energy = 0.0
@@ -47,7 +48,7 @@ class RopeModel:
         self.proximal = ProximalTerm(size, comm.rank)
         self.loads = LoadTerm(size, comm.rank)
         self.directors = np.tile(np.arange(body.block) >= 3, body.num_nodes)
-        self.ends = Ends(body, scene.ends)
+        self.ends = Ends(body, scene.ends, symmetry)
         terms: list[Term] = [BodyTerm(body, 0), self.contact, self.proximal, self.loads]
         self.system = GlobalSystem(comm, terms, *self.ends.held(0.0))
         solver = scene.solver

@@ -1,7 +1,7 @@
 """One formed pitch laid end to end: the whole rope, nearly at rest.
 
-The two end sections of a pitch are alike across the rope. At the joints contact elements lack what lies beyond the
-end, so that the whole rope has to come to rest once more.
+A pitch is formed with end sections that are alike, and symmetric. At the joints contact elements lack what lies beyond
+the end, so that the whole rope has to come to rest once more, free of both.
 """
 
 from __future__ import annotations
@@ -39,13 +39,13 @@ def laid_end_to_end(model: RopeModel, state: State) -> State:
     q = repeated(state.q)
     return replace(
         state,
+        model="forming",
         q=q,
         reference=repeated(state.reference),
         rest_tension=np.tile(tension, pitches).ravel(),
         rate=np.zeros_like(q),
         contacts=_repeated_contacts(model.contact, state.contacts, pitches),
         progress={**state.progress, **AFTER_ONE_PITCH},
-        pitches=pitches,
     )
 
 

@@ -156,7 +156,11 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
         rest = attempt.increment.stabilisation_work < REST * energy and target == puller.strain
         done = step.increments if rest else done
         reached = {"settled": done, "target": target}
-        puller.state = replace(puller.state, progress={**puller.state.progress, **reached})
+        puller.state = replace(
+            puller.state,
+            rate=0.0 * puller.state.rate,  # of coming to rest, which is not that of pulling
+            progress={**puller.state.progress, **reached},
+        )
         yield _outcome(
             puller, attempt, done / step.increments, "settled" if done == step.increments else None
         )

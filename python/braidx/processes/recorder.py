@@ -75,9 +75,7 @@ class Recorder:
         state, increment = outcome.state, outcome.increment
         self._elements = max(self._elements, increment.contact_elements)
         energy = model.internal_energy(state.q)
-        share = (
-            state.stabilisation_work / energy if energy > 0 and state.model != "forming" else 0.0
-        )
+        share = state.stabilisation_work / energy if energy > 0 and not state.forms else 0.0
         picture = (
             model_snapshot(model, state, outcome.snapshot or step.kind)
             if self._wanted(outcome)
@@ -177,7 +175,7 @@ def start_snapshot(rope: Rope) -> Snapshot:
 
 def model_snapshot(model: RopeModel, state: State, name: str) -> Snapshot:
     """A state with its contacts, and stresses unless it is being formed; gathered from all processes."""
-    q, own_model = state.q, state.model != "forming"
+    q, own_model = state.q, not state.forms
     degree, curves = model.body.layout.degree, model.body.layout.curve_elements
     per_segment = np.repeat(model.tension(q), degree)
     tension = tuple(np.split(per_segment, curves[1:-1] * degree))

@@ -63,7 +63,7 @@ def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -
     model: RopeModel | None = None
     while state.step < len(scene.steps):
         step = scene.steps[state.step]
-        if state.model == "forming" and not isinstance(step, Form):
+        if state.forms and not isinstance(step, Form):
             force = 1e3 * step.force if isinstance(step, Settle) else REST_FORCE
             state = in_own_model(scene, state, force, state.results.get("formed_force", 0.0))
             model = None
@@ -76,7 +76,7 @@ def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -
             state = _counted(outcome, state, step, seconds)
             recorder.record(model, step, replace(outcome, state=state), seconds)
             clock = time.perf_counter()
-        if state.pitches < scene.rope.pitches:
+        if state.model == "cell":
             state, model = laid_end_to_end(model, state), None
         else:
             state = state.next_step()

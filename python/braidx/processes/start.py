@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from mpi4py import MPI
 
-from ..geometry import Rope, build_rope
+from ..geometry import Rope, build_rope, rotations
 from ..scene import Form, Scene
 from .model import RopeModel, beam_body, cable_body, periodic_directors
 from .state import State
@@ -17,17 +17,15 @@ from .state import State
 def start_state(scene: Scene) -> State:
     """The start configuration: one pitch if it is to be formed, the whole rope as placed if not."""
     forms = isinstance(scene.steps[0], Form)
-    pitches = 1 if forms else scene.rope.pitches
-    rope = _rope(scene, pitches)
+    rope = one_pitch(scene) if forms else build_rope(scene)
     q = np.concatenate(rope.centre_lines).ravel()
-    elements = scene.yarn.elements_per_pitch * pitches * rope.num_yarns
+    elements = (len(rope.centre_lines[0]) - 1) // scene.yarn.degree * rope.num_yarns
     state = State(
         q=q,
-        model="forming",
+        model="cell" if forms else "forming",
         reference=q.copy(),
         rest_tension=np.zeros(elements),
         rate=np.zeros_like(q),
-        pitches=pitches,
     )
     return state if forms else in_own_model(scene, state)
 
@@ -68,21 +66,23 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
 
 def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
     """The rope in the model that a state belongs to, with the state's contact history."""
-    rope = _rope(scene, state.pitches)
-    if state.pitches < scene.rope.pitches:  # the ends of a part are alike
+    rope, symmetry = build_rope(scene), None
+    if state.model == "cell":
+        rope = one_pitch(scene)
+        symmetry = rotations(rope)
         scene = replace(scene, ends=replace(scene.ends, transverse="periodic"))
     block = 9 if state.model == "beam" else 3
     reference = np.split(state.reference.reshape(-1, block)[:, :3], rope.num_yarns)
     body: Any
-    if state.model == "forming":
+    if state.forms:
         # Material coordinates are those of the start, wherever nodes were spread to.
         body = cable_body(comm, scene, rope.centre_lines, 1.0, 0.0)
     elif state.model == "cable":
         body = cable_body(comm, scene, reference, scene.yarn.axial_stiffness, state.rest_tension)
     else:
         body = beam_body(comm, scene, reference, state.rest_tension)
-    model = RopeModel(comm, scene, rope, body)
-    if state.model == "forming":
+    model = RopeModel(comm, scene, rope, body, symmetry)
+    if state.forms:
         body.set_reference(state.reference.reshape(-1, block))
     else:
         density = state.rest_tension**2 / (2.0 * scene.yarn.axial_stiffness)
@@ -98,9 +98,10 @@ def _with_directors(line: np.ndarray) -> np.ndarray:
 
 
 def _num_yarns(scene: Scene, state: State) -> int:
-    nodes = scene.yarn.elements_per_pitch * state.pitches * scene.yarn.degree + 1
+    nodes = scene.yarn.elements_per_pitch * scene.rope.pitches * scene.yarn.degree + 1
     return len(state.q) // (3 * nodes)
 
 
-def _rope(scene: Scene, pitches: int) -> Rope:
-    return build_rope(replace(scene, rope=replace(scene.rope, pitches=pitches)))
+def one_pitch(scene: Scene) -> Rope:
+    """One pitch of the start configuration."""
+    return build_rope(replace(scene, rope=replace(scene.rope, pitches=1)))

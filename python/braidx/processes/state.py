@@ -25,7 +25,8 @@ class State:
 
     Attributes:
         q: Unknowns, shape (num_unknowns,); block of the model in use.
-        model: "forming" (cables with forming's own stiffness), "cable" or "beam".
+        model: "cell" (one pitch being formed), "forming" (all pitches, coming to rest), both of cables with
+            forming's own stiffness; "cable" or "beam".
         reference: Unknowns of the reference state that strains are measured from, shape as q.
         rest_tension: Tension of the elements in the reference state, shape (num_elements,), N (cables).
         contacts: Contact elements of all processes with their memory, as arrays.
@@ -36,7 +37,6 @@ class State:
         rate: Change of q per unit of rope strain in the last increment, shape as q; zero at first.
         stabilisation_work: Work the stabilisation has taken since the reference state was set, mJ.
         friction_work: Work dissipated by friction since the start of the run, mJ.
-        pitches: Number of pitches it covers: forming finds the shape of one first.
     """
 
     q: Floats
@@ -52,7 +52,11 @@ class State:
     costs: dict[str, PhaseCost] = field(default_factory=dict)
     stabilisation_work: float = 0.0
     friction_work: float = 0.0
-    pitches: int = 1
+
+    @property
+    def forms(self) -> bool:
+        """Whether the rope is still being formed."""
+        return self.model in ("cell", "forming")
 
     def next_step(self) -> State:
         """The same state at the beginning of the step that follows."""
@@ -73,7 +77,6 @@ def save(state: State, folder: Path) -> None:
         "costs": {name: asdict(cost) for name, cost in state.costs.items()},
         "stabilisation_work": state.stabilisation_work,
         "friction_work": state.friction_work,
-        "pitches": state.pitches,
     }
     part = folder / (FILE + ".part")
     with part.open("wb") as file:

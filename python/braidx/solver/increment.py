@@ -133,6 +133,8 @@ class Incrementer:
 
     def _accepted(self, attempt: _Attempt, options: IncrementOptions) -> bool:
         """Makes contact elements anew and looks what residual they leave."""
+        if options.in_passing and attempt.updates >= options.max_updates:
+            return True
         last = attempt.residual
         self._update(attempt)
         consistent = attempt.updates > 0 and attempt.residual < options.pairing_tolerance
@@ -145,8 +147,6 @@ class Incrementer:
             attempt.judge(attempt.residual > SLOW * last)
         if attempt.updates < options.max_updates:
             return False
-        if options.in_passing:
-            return True
         why = (
             "penetration above tolerance" if attempt.raised else f"residual {attempt.residual:.1e}"
         )

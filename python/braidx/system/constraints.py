@@ -20,23 +20,26 @@ class ConstraintMap:
         transform: T, shape (num_unknowns, num_free).
         closure: Maps the inhomogeneous values of the constraints to c, shape (num_unknowns, num_unknowns).
         free: Engine numbers of the free unknowns, shape (num_free,).
+        test: Displacements that equilibrium is asked for, shape as T: T itself, or T without the rows of images,
+            whose equilibrium is that of what they are images of.
     """
 
     transform: sp.csr_matrix
     closure: sp.csr_matrix
     free: Ints
+    test: sp.csr_matrix
 
     def expand(self, free_values: Floats, constraint_values: Floats) -> Floats:
         """All unknowns q from the free ones p, shape (num_unknowns,)."""
         return self.transform @ free_values + self.closure @ constraint_values
 
     def reduce(self, residual: Floats) -> Floats:
-        """T^T r: what virtual work leaves for the free unknowns, shape (num_free,)."""
-        return self.transform.T @ residual
+        """What virtual work leaves of a residual for the free unknowns, T^T r, shape (num_free,)."""
+        return self.test.T @ residual
 
     def reduce_pattern(self, rows: Ints, cols: Ints) -> ReducedPattern:
         """COO entries of T^T A T from those of A."""
-        return ReducedPattern.of(self.transform, rows, cols)
+        return ReducedPattern.of(self.test, self.transform, rows, cols)
 
 
 @dataclass(frozen=True)
@@ -53,24 +56,24 @@ class ReducedPattern:
     factor: Floats | None
 
     @staticmethod
-    def of(transform: sp.csr_matrix, rows: Ints, cols: Ints) -> ReducedPattern:
+    def of(test: sp.csr_matrix, transform: sp.csr_matrix, rows: Ints, cols: Ints) -> ReducedPattern:
         """See ConstraintMap.reduce_pattern."""
         counts = np.diff(transform.indptr)
-        if counts.max(initial=0) <= 1 and np.all(transform.data == 1.0):
+        if test is transform and counts.max(initial=0) <= 1 and np.all(transform.data == 1.0):
             number = np.full(len(counts), -1, dtype=np.int64)
             number[counts == 1] = transform.indices
             return ReducedPattern(number[rows], number[cols], None, None)
         num_cols = counts[cols]
-        num = counts[rows] * num_cols
+        num = np.diff(test.indptr)[rows] * num_cols
         source = np.repeat(np.arange(len(rows)), num)
         within = np.arange(len(source)) - np.repeat(np.cumsum(num) - num, num)
-        at_row = transform.indptr[rows][source] + within // num_cols[source]
+        at_row = test.indptr[rows][source] + within // num_cols[source]
         at_col = transform.indptr[cols][source] + within % num_cols[source]
         return ReducedPattern(
-            transform.indices[at_row].astype(np.int64),
+            test.indices[at_row].astype(np.int64),
             transform.indices[at_col].astype(np.int64),
             source,
-            transform.data[at_row] * transform.data[at_col],
+            test.data[at_row] * transform.data[at_col],
         )
 
     def values(self, values: Floats) -> Floats:
@@ -89,6 +92,7 @@ class Constraints:
         self._rows: list[Ints] = []
         self._cols: list[Ints] = []
         self._factors: list[Floats] = []
+        self._is_image = np.zeros(num_unknowns, dtype=bool)
 
     def hold(self, unknowns: npt.ArrayLike) -> None:
         """Unknowns that take their value from the constraint values alone."""
@@ -104,9 +108,22 @@ class Constraints:
 
     def combine(self, unknown: int, of: npt.ArrayLike, factors: npt.ArrayLike) -> None:
         """unknown = sum of factors * of + constraint value."""
+        self.combine_each([unknown], [of], [factors])
+
+    def combine_each(
+        self, unknowns: npt.ArrayLike, of: npt.ArrayLike, factors: npt.ArrayLike
+    ) -> None:
+        """Row by row unknowns[i] = sum of factors[i] * of[i] + constraint value; shapes (n,), (n, k), (n, k)."""
         leaders = np.asarray(of, dtype=np.int64)
-        self._follow(np.array([unknown]))
-        self._add(np.full(len(leaders), unknown), leaders, np.asarray(factors, dtype=float))
+        followers = np.asarray(unknowns, dtype=np.int64)
+        self._follow(followers)
+        spread = np.broadcast_to(followers[:, None], leaders.shape)
+        weights = np.broadcast_to(np.asarray(factors, dtype=float), leaders.shape)
+        self._add(spread.ravel(), leaders.ravel(), weights.ravel())
+
+    def repeat(self, unknowns: npt.ArrayLike) -> None:
+        """Unknowns whose equilibrium repeats that of those they follow, by symmetry."""
+        self._is_image[np.asarray(unknowns, dtype=np.int64)] = True
 
     def hold_mean(self, unknowns: npt.ArrayLike) -> None:
         """The mean of unknowns is the constraint value of the last one over their number."""
@@ -127,7 +144,11 @@ class Constraints:
             power = follow @ power
             if power.nnz == 0:
                 free = np.flatnonzero(~self._followers)
-                return ConstraintMap(sp.csr_matrix(closure[:, free]), sp.csr_matrix(closure), free)
+                transform = test = sp.csr_matrix(closure[:, free])
+                if self._is_image.any():
+                    test = sp.csr_matrix(sp.diags((~self._is_image).astype(float)) @ transform)
+                    test.eliminate_zeros()
+                return ConstraintMap(transform, sp.csr_matrix(closure), free, test)
             closure = closure + power
         raise ValueError(
             "constraints of unknowns follow each other in a circle; release one of them"

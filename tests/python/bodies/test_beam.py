@@ -77,6 +77,16 @@ def test_new_properties_equal_a_new_body():
 
 
 @pytest.mark.parametrize("degree", [1, 2])
+def test_the_reference_may_be_under_tension(degree):
+    body = make_body("tense beam", degree)
+    first, second = np.split(body.tension(body.rest), body.layout.curve_elements[1:-1])
+    assert first == pytest.approx(2.0) and second == pytest.approx(3.0)
+    stretched = body.rest.copy()
+    stretched[:, :3] *= 1.001
+    assert np.all(body.tension(stretched) > body.tension(body.rest))
+
+
+@pytest.mark.parametrize("degree", [1, 2])
 def test_new_reference(degree):
     body = make_body("beam", degree)
     state = random_state(body)

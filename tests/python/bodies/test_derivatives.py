@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from example_bodies import cached_body, dense_tangent, random_state
 
-CASES = [(m, d) for m in ("cable", "beam", "straight beam") for d in (1, 2)]
+CASES = [(m, d) for m in ("cable", "beam", "straight beam", "tense beam") for d in (1, 2)]
 STEP = 1e-5
 
 

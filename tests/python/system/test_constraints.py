@@ -48,6 +48,22 @@ def test_reduced_pattern_is_the_reduced_matrix(constraints):
     np.testing.assert_allclose(found, transform.T @ matrix @ transform, atol=1e-13)
 
 
+def test_equations_of_images_are_left_out():
+    constraints = Constraints(N)
+    constraints.hold([0])
+    constraints.combine_each([6, 7], [[1, 2], [1, 2]], [[0.6, -0.8], [0.8, 0.6]])
+    constraints.repeat([6, 7])
+    resolved = constraints.resolve()
+    rows, cols, values, matrix = random_matrix()
+    reduced = resolved.reduce_pattern(rows, cols)
+    kept = (reduced.rows >= 0) & (reduced.cols >= 0)
+    found = np.zeros((len(resolved.free),) * 2)
+    np.add.at(found, (reduced.rows[kept], reduced.cols[kept]), reduced.values(values)[kept])
+    np.testing.assert_allclose(found, matrix[resolved.free] @ resolved.transform, atol=1e-13)
+    residual = np.arange(1.0, N + 1)
+    np.testing.assert_allclose(resolved.reduce(residual), residual[resolved.free])
+
+
 def test_ties_are_a_mere_renumbering():
     rows, cols, values, _ = random_matrix()
     reduced = tied().resolve().reduce_pattern(rows, cols)

@@ -1,0 +1,96 @@
+"""One pitch for all: symmetric while it is formed, laid end to end with its contacts' memory."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from mpi4py import MPI
+
+from braidx.geometry import build_rope
+from braidx.processes.pitches import laid_end_to_end
+from braidx.processes.start import make_model, start_state
+from braidx.scene import load_scene
+
+SMALL = Path(__file__).parents[3] / "demos" / "small_rope.toml"
+
+
+@pytest.fixture(scope="module")
+def cell():
+    """One pitch of a rope of three with fresh contact elements, and its state."""
+    scene = load_scene(SMALL, ["rope.pitches=3"])
+    state = start_state(scene)
+    model = make_model(MPI.COMM_SELF, scene, state)
+    model.contact.update(state.q)
+    slip = np.random.default_rng(0).standard_normal((len(model.contact.elements), 3))
+    arrays = {**model.contact.arrays(), "slip": slip}
+    model.contact.restore_arrays(arrays)
+    return scene, model, replace(state, contacts=arrays)
+
+
+def test_the_start_configuration_laid_end_to_end_is_the_whole_one(cell):
+    scene, model, state = cell
+    whole = laid_end_to_end(model, state)
+    assert whole.model == "forming"
+    lines = np.concatenate(build_rope(scene).centre_lines)
+    assert np.allclose(whole.q.reshape(-1, 3), lines, atol=1e-9)
+    assert make_model(MPI.COMM_SELF, scene, whole).body.num_unknowns == len(whole.q)
+
+
+def test_contact_elements_made_anew_inherit_the_memory(cell):
+    scene, model, state = cell
+    whole = laid_end_to_end(model, state)
+    rope = make_model(MPI.COMM_SELF, scene, whole)
+    given = np.linalg.norm(rope.contact.results(whole.q)["slip"], axis=1)
+    assert len(given) == 3 * len(state.contacts["weight"]) and given.min() > 0
+    rope.contact.update(whole.q)
+    made = rope.contact.results(whole.q)
+    assert np.mean(np.linalg.norm(made["slip"], axis=1) > 0) > 0.9
+
+
+@pytest.fixture
+def disturbed(cell):
+    """One pitch without friction in a symmetric state near the start, and the free unknowns of that state."""
+    scene, _, state = cell
+    model = make_model(MPI.COMM_SELF, scene, replace(state, contacts={}))
+    model.contact.laws.friction = [0.0]
+    model.contact.laws.gap_step = -1.0
+    model.body.set_properties(tension=20.0, axial_stiffness=200.0)
+    system = model.system
+    rng = np.random.default_rng(1)
+    p = system.free_values(model.start) + 1e-3 * rng.standard_normal(system.num_free)
+    q = system.expand(p)
+    model.contact.start = model.proximal.start = q
+    model.contact.update(q)
+    model.contact.freeze_sections()
+    return model, p
+
+
+def test_equilibrium_of_leaders_is_that_of_all(disturbed):
+    """In a symmetric state the reduced equations are those of virtual work over the number of images."""
+    model, p = disturbed
+    system, constraints = model.system, model.system.constraints
+    assert system.num_free < model.body.num_unknowns / 4
+    system.set_state(system.expand(p))
+    residual = system.residual()
+    work = constraints.transform.T @ residual
+    assert 4 * constraints.reduce(residual) == pytest.approx(work, abs=1e-6 * np.abs(work).max())
+
+
+def test_the_tangent_of_a_symmetric_rope_is_the_derivative_of_its_residual(disturbed):
+    model, p = disturbed
+    system, constraints = model.system, model.system.constraints
+    system.update_pattern()
+
+    def reduced(values):
+        system.set_state(system.expand(values))
+        return constraints.reduce(system.residual())
+
+    system.set_state(system.expand(p))
+    system.assemble_tangent()
+    step = 1e-7 * np.random.default_rng(2).standard_normal(len(p))
+    product, direction = system.matrix.createVecs()
+    direction.array[:] = step
+    system.matrix.mult(direction, product)
+    change = (reduced(p + step) - reduced(p - step)) / 2
+    assert np.linalg.norm(change - product.array) < 1e-5 * np.linalg.norm(change)
