@@ -3,6 +3,15 @@
 from braidx.geometry.checks import check_geometry
 from braidx.geometry.crossings import Crossings
 from braidx.geometry.rope import Rope, build_rope
-from braidx.geometry.symmetry import Rotations, rotations
+from braidx.geometry.symmetry import Rotations, no_rotations, rotation_about_z, rotations
 
-__all__ = ["Crossings", "Rope", "Rotations", "build_rope", "check_geometry", "rotations"]
+__all__ = [
+    "Crossings",
+    "Rope",
+    "Rotations",
+    "build_rope",
+    "check_geometry",
+    "no_rotations",
+    "rotation_about_z",
+    "rotations",
+]

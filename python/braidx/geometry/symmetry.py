@@ -10,6 +10,7 @@ from scipy.spatial import cKDTree
 
 from braidx.geometry.rope import Rope
 
+Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 NEAR = 1e-6  # of a yarn radius: lines that coincide
 
@@ -36,15 +37,25 @@ def rotations(rope: Rope) -> Rotations:
         image = _images(rope, 2.0 * np.pi / fold)
         if image is not None and _keeps_order(rope, image):
             return _orbits(image, fold)
+    return no_rotations(rope)
+
+
+def no_rotations(rope: Rope) -> Rotations:
+    """Each yarn leads itself."""
     yarns = np.arange(rope.num_yarns)
     return Rotations(1, yarns, 0 * yarns)
+
+
+def rotation_about_z(angle: float) -> Array:
+    """Matrix that turns row vectors by an angle (radians) when it is multiplied from the right, shape (3, 3)."""
+    cosine, sine = np.cos(angle), np.sin(angle)
+    return np.array([[cosine, sine, 0.0], [-sine, cosine, 0.0], [0.0, 0.0, 1.0]])
 
 
 def _images(rope: Rope, angle: float) -> Integers | None:
     """The yarn that each yarn is turned onto, or None if one is turned onto no other."""
     lines = np.array(rope.centre_lines)
-    cosine, sine = np.cos(angle), np.sin(angle)
-    turned = lines @ np.array([[cosine, sine, 0.0], [-sine, cosine, 0.0], [0.0, 0.0, 1.0]])
+    turned = lines @ rotation_about_z(angle)
     tree = cKDTree(lines.reshape(len(lines), -1))
     distance, image = tree.query(turned.reshape(len(lines), -1))
     near = distance < NEAR * rope.radius.min() * np.sqrt(lines.shape[1])

@@ -15,29 +15,43 @@ class Ends:
 
     Axially the first section stays and the last one is moved as one plane. Across, each yarn's last
     node follows its first (periodic), both stay (fixed), or are free. Where the rope is kept
-    symmetric, yarns follow the one that they are images of, from end to end (cables only).
+    symmetric, yarns follow the one that they are images of, from end to end.
+
+    Args:
+        body: The yarns.
+        options: What the scene says.
+        symmetry: Yarns that follow others.
+        still: Unknowns that stay where they are, if only a part of the rope is to move, ends not among it.
+        at: All unknowns as they are, needed for those.
     """
 
     def __init__(
-        self, body: CurveBody, options: EndConditions, symmetry: Rotations | None = None
+        self,
+        body: CurveBody,
+        options: EndConditions,
+        symmetry: Rotations,
+        still: np.ndarray | None = None,
+        at: Floats | None = None,
     ) -> None:
         block, nodes = body.block, body.layout.curves
         self._rest = body.rest.ravel().copy()
         self._options = options
         self._first, self._last = nodes[:-1] * block, (nodes[1:] - 1) * block
-        self._block = block
+        self._block, self._nodes = block, nodes
         self.last_axial = self._last + 2
         self.length = float(self._rest[self.last_axial].mean() - self._rest[self._first + 2].mean())
 
-        yarns = np.arange(len(nodes) - 1)
-        leads = yarns == symmetry.leader if symmetry else np.full(len(yarns), True)
+        leads = symmetry.leader == np.arange(len(nodes) - 1)
         self._first, self._last = self._first[leads], self._last[leads]
-        constraints, self._values = self._across()
-        for section in (self._first + 2, self._last + 2):
-            constraints.hold(section)
-            self._values[section] = self._rest[section]
-        if symmetry:
-            _turn(constraints, symmetry, nodes)
+        if still is not None and at is not None:
+            constraints, self._values = self._stay(still, at, np.repeat(leads, np.diff(nodes)))
+        else:
+            constraints, self._values = self._across()
+            for section in (self._first + 2, self._last + 2):
+                constraints.hold(section)
+                self._values[section] = self._rest[section]
+        for image in np.flatnonzero(~leads):
+            self._turn(constraints, symmetry, image)
         self._map = constraints.resolve()
 
     def held(self, strain: float) -> tuple[ConstraintMap, Floats]:
@@ -69,16 +83,21 @@ class Ends:
             components += range(3, self._block)
         return (first_unknown[:, None] + np.array(components)).ravel()
 
+    def _stay(self, still: np.ndarray, at: Floats, leads: np.ndarray) -> tuple[Constraints, Floats]:
+        held = still & np.repeat(leads, self._block)
+        constraints = Constraints(len(at))
+        constraints.hold(np.flatnonzero(held))
+        return constraints, np.where(held, at, 0.0)
 
-def _turn(constraints: Constraints, symmetry: Rotations, nodes: np.ndarray) -> None:
-    """Ties yarns of three unknowns per node to those that they are images of."""
-    for yarn in np.flatnonzero(symmetry.leader != np.arange(len(nodes) - 1)):
+    def _turn(self, constraints: Constraints, symmetry: Rotations, yarn: int) -> None:
+        """Ties positions and directors of a yarn to those of the one that it is an image of."""
         angle = 2.0 * np.pi * symmetry.turns[yarn] / symmetry.fold
-        first, leader = nodes[yarn], nodes[symmetry.leader[yarn]]
-        x = 3 * np.arange(first, nodes[yarn + 1])
-        x_leader = x + 3 * (leader - first)
-        across = np.column_stack([x_leader, x_leader + 1])
-        constraints.combine_each(x, across, [np.cos(angle), -np.sin(angle)])
-        constraints.combine_each(x + 1, across, [np.sin(angle), np.cos(angle)])
-        constraints.tie(x + 2, x_leader + 2)
-        constraints.repeat(np.concatenate([x, x + 1, x + 2]))
+        unknowns = np.arange(*self._nodes[[yarn, yarn + 1]]) * self._block
+        to_leader = (self._nodes[symmetry.leader[yarn]] - self._nodes[yarn]) * self._block
+        for vector in range(0, self._block, 3):
+            x = unknowns + vector
+            across = np.column_stack([x, x + 1]) + to_leader
+            constraints.combine_each(x, across, [np.cos(angle), -np.sin(angle)])
+            constraints.combine_each(x + 1, across, [np.sin(angle), np.cos(angle)])
+            constraints.tie(x + 2, x + 2 + to_leader)
+            constraints.repeat(np.concatenate([x, x + 1, x + 2]))

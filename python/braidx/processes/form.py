@@ -36,7 +36,7 @@ RAISE_EVERY = 4
 COARSER = 2.0  # factor on the spacing of stations until the die is open
 PASSING = (1e-2, 8)  # tolerance and iterations of Newton for states that are only passed through
 REST = 2  # increments that the rope is given to come to rest, with consistent pairs
-AFTER_ONE_PITCH = {"rested": REST - 1.0, "stiffening": 1.0}  # what a rope of such pitches has to do
+ONCE_MORE = {"rested": REST - 1.0, "stiffening": 1.0}  # comes to rest after a part of it did
 RETRIES = 4  # doublings of the viscosity before forming gives up
 SNAPSHOTS = 4  # pictures on the way
 
@@ -117,7 +117,7 @@ class Former:
 
     @property
     def _formed(self) -> str:
-        return "one pitch formed" if self.state.model == "cell" else "formed"
+        return {"cell": "one pitch formed", "joints": "joined"}.get(self.state.model, "formed")
 
     def check(self) -> None:
         """Raises NotConverged unless the shape found is one of yarns that do not penetrate."""
@@ -159,7 +159,9 @@ class Former:
         options = IncrementOptions(max_updates=1, in_passing=True)
         newton.tolerance, newton.max_iterations = PASSING
         if number["pressed"]:
-            options = IncrementOptions(penetration=self._tolerance)
+            # Beside a joint yarns are held where they touch: no penalty would bring them apart.
+            joins = self.state.model == "joints"
+            options = IncrementOptions(penetration=None if joins else self._tolerance)
             newton.restore_options()
             contact.laws.gap_step = -1.0
             friction = self.step.friction

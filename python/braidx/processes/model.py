@@ -11,7 +11,7 @@ from mpi4py import MPI
 
 from ..bodies import BeamBody, BeamSection, CableBody, CurveBody, YarnMaterial
 from ..contact.contact import Contact, TubeLayout
-from ..geometry import Crossings, Rope, Rotations
+from ..geometry import Crossings, Rope
 from ..scene import Scene
 from ..solver.increment import Incrementer
 from ..solver.newton import Newton, NewtonOptions
@@ -39,7 +39,7 @@ class RopeModel:
         scene: Scene,
         rope: Rope,
         body: CableBody | BeamBody,
-        symmetry: Rotations | None = None,
+        ends: Ends,
     ) -> None:
         self.comm, self.scene, self.rope, self.body = comm, scene, rope, body
         self.preload_energy = 0.0
@@ -48,7 +48,7 @@ class RopeModel:
         self.proximal = ProximalTerm(size, comm.rank)
         self.loads = LoadTerm(size, comm.rank)
         self.directors = np.tile(np.arange(body.block) >= 3, body.num_nodes)
-        self.ends = Ends(body, scene.ends, symmetry)
+        self.ends = ends
         terms: list[Term] = [BodyTerm(body, 0), self.contact, self.proximal, self.loads]
         self.system = GlobalSystem(comm, terms, *self.ends.held(0.0))
         solver = scene.solver
@@ -116,7 +116,14 @@ def cable_body(
 def beam_body(
     comm: MPI.Comm, scene: Scene, lines: Sequence[Floats], tension: Floats | float
 ) -> BeamBody:
-    """Yarns as beams along the given centre lines, under tension but unbent as placed (or straight)."""
+    """Yarns as beams, under tension but unbent as placed (or straight).
+
+    Args:
+        comm: Communicator.
+        scene: The scene.
+        lines: Positions and directors of each yarn's nodes, shape (num_nodes_i, 9).
+        tension: Axial force as placed, N.
+    """
     yarn = scene.yarn
     circle = BeamSection.round(yarn.radius)
     inertia_1 = yarn.inertia_1 or circle.inertia_1
@@ -137,10 +144,10 @@ def beam_body(
     )
     return BeamBody(
         comm,
-        lines,
+        [line[:, :3] for line in lines],
         section=section,
         material=material,
-        directors=[periodic_directors(line) for line in lines],
+        directors=[line[:, 3:].reshape(-1, 2, 3) for line in lines],
         degree=yarn.degree,
         bundle_factor=yarn.bundle_factor,
         torsion_factor=yarn.torsion_factor,

@@ -1,7 +1,7 @@
 """One formed pitch laid end to end: the whole rope, nearly at rest.
 
 A pitch is formed with end sections that are alike, and symmetric. At the joints contact elements lack what lies beyond
-the end, so that the whole rope has to come to rest once more, free of both.
+the end: first the joints come to rest, the rest of the rope held, and then the whole rope, free of symmetry.
 """
 
 from __future__ import annotations
@@ -11,12 +11,32 @@ from dataclasses import replace
 import numpy as np
 
 from ..contact.contact import Contact
+from ..scene import Scene
 from ..system.constraints import Floats
-from .form import AFTER_ONE_PITCH
+from .form import ONCE_MORE
 from .model import RopeModel
 from .state import State
 
+JOINT = 3  # elements to either side of a joint that move while it comes to rest
 POINT_STATION = np.iinfo(np.int64).max  # engine: stations.h
+
+
+def next_stage(model: RopeModel, state: State) -> State | None:
+    """What is formed next, after one pitch, after the joints; None after the whole rope."""
+    if state.model == "cell":
+        return laid_end_to_end(model, state)
+    if state.model == "joints":
+        return replace(state, model="forming", progress={**state.progress, **ONCE_MORE})
+    return None
+
+
+def distance_to_joint(scene: Scene, curves: np.ndarray) -> np.ndarray:
+    """Number of nodes between a node and the nearest joint of two pitches, shape (num_nodes,)."""
+    per_pitch = scene.yarn.elements_per_pitch * scene.yarn.degree
+    node = np.arange(curves[1])
+    joints = per_pitch * np.arange(1, scene.rope.pitches)
+    nearest = np.abs(node[:, None] - joints).min(axis=1, initial=len(node))
+    return np.tile(nearest, len(curves) - 1)
 
 
 def laid_end_to_end(model: RopeModel, state: State) -> State:
@@ -39,13 +59,13 @@ def laid_end_to_end(model: RopeModel, state: State) -> State:
     q = repeated(state.q)
     return replace(
         state,
-        model="forming",
+        model="joints" if pitches > 1 else "forming",
         q=q,
         reference=repeated(state.reference),
         rest_tension=np.tile(tension, pitches).ravel(),
         rate=np.zeros_like(q),
         contacts=_repeated_contacts(model.contact, state.contacts, pitches),
-        progress={**state.progress, **AFTER_ONE_PITCH},
+        progress={**state.progress, **ONCE_MORE},
     )
 
 

@@ -20,7 +20,7 @@ from .model import RopeModel
 from .outcome import NotConverged, Outcome
 from .pull import cycle, hold, pull, settle
 from .recorder import Recorder
-from .pitches import laid_end_to_end
+from .pitches import next_stage
 from .start import in_own_model, make_model, start_state
 from .state import State
 
@@ -76,10 +76,9 @@ def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -
             state = _counted(outcome, state, step, seconds)
             recorder.record(model, step, replace(outcome, state=state), seconds)
             clock = time.perf_counter()
-        if state.model == "cell":
-            state, model = laid_end_to_end(model, state), None
-        else:
-            state = state.next_step()
+        following = next_stage(model, state)
+        model = None if following else model
+        state = following or state.next_step()
         recorder.checkpoint(state)
 
 

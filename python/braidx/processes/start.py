@@ -8,9 +8,12 @@ from typing import Any
 import numpy as np
 from mpi4py import MPI
 
-from ..geometry import Rope, build_rope, rotations
+from ..geometry import Rope, Rotations, build_rope, no_rotations, rotation_about_z, rotations
 from ..scene import Form, Scene
+from ..system.constraints import Floats
+from .ends import Ends
 from .model import RopeModel, beam_body, cable_body, periodic_directors
+from .pitches import JOINT, distance_to_joint
 from .state import State
 
 
@@ -47,10 +50,7 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
     if contacts:
         contacts["stiffness"] = scale * contacts["stiffness"]
         contacts["slip"] = 0.0 * contacts["slip"]
-    q = state.q
-    if scene.yarn.model == "beam":
-        lines = np.split(q.reshape(-1, 3), _num_yarns(scene, state))
-        q = np.concatenate([_with_directors(line) for line in lines]).ravel()
+    q = _with_directors(scene, state.q) if scene.yarn.model == "beam" else state.q
     return replace(
         state,
         model=scene.yarn.model,
@@ -66,13 +66,9 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
 
 def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
     """The rope in the model that a state belongs to, with the state's contact history."""
-    rope, symmetry = build_rope(scene), None
-    if state.model == "cell":
-        rope = one_pitch(scene)
-        symmetry = rotations(rope)
-        scene = replace(scene, ends=replace(scene.ends, transverse="periodic"))
+    rope = one_pitch(scene) if state.model == "cell" else build_rope(scene)
     block = 9 if state.model == "beam" else 3
-    reference = np.split(state.reference.reshape(-1, block)[:, :3], rope.num_yarns)
+    reference = np.split(state.reference.reshape(-1, block), rope.num_yarns)
     body: Any
     if state.forms:
         # Material coordinates are those of the start, wherever nodes were spread to.
@@ -81,7 +77,7 @@ def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
         body = cable_body(comm, scene, reference, scene.yarn.axial_stiffness, state.rest_tension)
     else:
         body = beam_body(comm, scene, reference, state.rest_tension)
-    model = RopeModel(comm, scene, rope, body, symmetry)
+    model = RopeModel(comm, scene, rope, body, _ends(scene, rope, body, state))
     if state.forms:
         body.set_reference(state.reference.reshape(-1, block))
     else:
@@ -93,13 +89,33 @@ def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
     return model
 
 
-def _with_directors(line: np.ndarray) -> np.ndarray:
-    return np.hstack([line, periodic_directors(line).reshape(-1, 6)])
+def _with_directors(scene: Scene, positions: Floats) -> Floats:
+    """Positions and directors; those of an image are turned with it."""
+    symmetry = _symmetry(scene, build_rope(scene))
+    lines = np.split(positions.reshape(-1, 3), len(symmetry.leader))
+    angles = 2.0 * np.pi * symmetry.turns / symmetry.fold
+    parts = [
+        np.hstack(
+            [line, (periodic_directors(lines[leader]) @ rotation_about_z(angle)).reshape(-1, 6)]
+        )
+        for line, leader, angle in zip(lines, symmetry.leader, angles, strict=True)
+    ]
+    return np.concatenate(parts).ravel()
 
 
-def _num_yarns(scene: Scene, state: State) -> int:
-    nodes = scene.yarn.elements_per_pitch * scene.rope.pitches * scene.yarn.degree + 1
-    return len(state.q) // (3 * nodes)
+def _symmetry(scene: Scene, rope: Rope) -> Rotations:
+    return rotations(rope) if scene.solver.symmetry else no_rotations(rope)
+
+
+def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends:
+    """What is held: while one pitch is formed its ends are alike; then all but the joints between pitches stay."""
+    symmetry = _symmetry(scene, rope)
+    if state.model == "cell":
+        return Ends(body, replace(scene.ends, transverse="periodic"), symmetry)
+    if state.model == "joints":
+        away = distance_to_joint(scene, body.layout.curves) > JOINT * scene.yarn.degree
+        return Ends(body, scene.ends, symmetry, still=np.repeat(away, 3), at=state.q)
+    return Ends(body, scene.ends, symmetry)
 
 
 def one_pitch(scene: Scene) -> Rope:

@@ -91,6 +91,11 @@ class SolverOptions(Table):
     director_cap: float = option(
         0.3, above=0.0, doc="Largest change of a director in one Newton iteration."
     )
+    symmetry: bool = option(
+        True,
+        doc="Keep the rope symmetric under the rotations about its axis that its recipe is symmetric under: yarns "
+        "follow those that they are images of, and there is that much less to solve; false lets it leave them.",
+    )
     petsc: dict[str, float | int | bool | str] = option(
         {}, doc="Any PETSc options, without the leading dash; they win over the program's own."
     )

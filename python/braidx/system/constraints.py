@@ -108,7 +108,9 @@ class Constraints:
 
     def combine(self, unknown: int, of: npt.ArrayLike, factors: npt.ArrayLike) -> None:
         """unknown = sum of factors * of + constraint value."""
-        self.combine_each([unknown], [of], [factors])
+        self.combine_each(
+            [unknown], np.atleast_2d(np.asarray(of)), np.atleast_2d(np.asarray(factors))
+        )
 
     def combine_each(
         self, unknowns: npt.ArrayLike, of: npt.ArrayLike, factors: npt.ArrayLike

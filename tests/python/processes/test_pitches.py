@@ -31,7 +31,7 @@ def cell():
 def test_the_start_configuration_laid_end_to_end_is_the_whole_one(cell):
     scene, model, state = cell
     whole = laid_end_to_end(model, state)
-    assert whole.model == "forming"
+    assert whole.model == "joints"
     lines = np.concatenate(build_rope(scene).centre_lines)
     assert np.allclose(whole.q.reshape(-1, 3), lines, atol=1e-9)
     assert make_model(MPI.COMM_SELF, scene, whole).body.num_unknowns == len(whole.q)
