@@ -27,8 +27,8 @@ FrictionGradient friction_gradient(const Reaction& r, const Vec3& normal, Fricti
 Mat3 block(const Reaction& r, const FrictionGradient& friction, int i, int j) {
     const auto& s = r.system;
     double along = r.stiffness * s.gap_weight[i] * s.gap_weight[j];
-    if (s.same_side(i, j))
-        along += r.normal_force * s.spin_weight[i] * s.spin_weight[j];
+    if (s.same_section(i, j))
+        along += r.normal_force * s.share[i] * s.spin_weight[i] * s.spin_weight[j];
     Mat3 out = along * s.normal(i) * s.normal(j).transpose();
     if (r.friction.coefficient > 0) {
         out += s.slip_weight[i] * s.slip_weight[j] * friction.with_slip;

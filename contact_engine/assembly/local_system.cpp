@@ -15,6 +15,7 @@ void add_particle(LocalSystem& system, const Tube& tube, double s, const double 
         const int i = system.count++;
         system.unknown[i] = unknown;
         system.of_b[i] = of_b;
+        system.section[i] = -1;
         system.slip_weight[i] = sign * weight;
         system.separation += sign * weight * vector_at(q, unknown);
     };
@@ -27,6 +28,24 @@ void add_particle(LocalSystem& system, const Tube& tube, double s, const double 
     for (int which = 0; which < 2; ++which)
         for (int i = 0; i < section.count; ++i)
             add(tube.unknown_of(section.node[i]) + 3 * (which + 1), xi[which] * section.weight[i]);
+}
+
+/// Adds a node's share of the half width of a beam's section.
+void add_half_width(LocalSystem& system, const Tube& tube, std::int32_t node, double share,
+                    bool of_b, Unknowns q) {
+    const auto first = tube.unknown_of(node);
+    const double c1 = vector_at(q, first + 3).dot(system.own_normal),
+                 c2 = vector_at(q, first + 6).dot(system.own_normal);
+    const double norm = std::max(std::hypot(c1, c2), 1e-12);
+    const double along[2] = {c1 / norm, c2 / norm}, across[2] = {-c2 / norm, c1 / norm};
+    system.gap -= share * tube.radius * norm;
+    for (int which = 0; which < 2; ++which) {
+        const int at = system.index_of(first + 3 * (which + 1), of_b);
+        system.section[at] = first;
+        system.share[at] = share;
+        system.gap_weight[at] = -share * tube.radius * along[which];
+        system.spin_weight[at] = std::sqrt(tube.radius / norm) * across[which];
+    }
 }
 
 /// Adds a side's part of the gap: the centre line at s, where it faces the other side; the half
@@ -45,21 +64,8 @@ void add_gap(LocalSystem& system, const Tube& tube, double s, double own_s, bool
         return;
     }
     const Support section = element_support(tube, own_s);
-    const Vec3& own = system.own_normal;
-    const double c1 = director(tube, q, section, 1).dot(own),
-                 c2 = director(tube, q, section, 2).dot(own);
-    const double norm = std::max(std::hypot(c1, c2), 1e-12);
-    const double along[2] = {c1 / norm, c2 / norm}, across[2] = {-c2 / norm, c1 / norm};
-    system.gap -= tube.radius * norm;
-    for (int which = 0; which < 2; ++which)
-        for (int i = 0; i < section.count; ++i) {
-            const int at =
-                system.index_of(tube.unknown_of(section.node[i]) + 3 * (which + 1), of_b);
-            system.is_director[at] = true;
-            system.gap_weight[at] = -tube.radius * along[which] * section.weight[i];
-            system.spin_weight[at] =
-                std::sqrt(tube.radius / norm) * across[which] * section.weight[i];
-        }
+    for (int i = 0; i < section.count; ++i)
+        add_half_width(system, tube, section.node[i], section.weight[i], of_b, q);
 }
 
 LocalSystem system_at(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q,
@@ -92,6 +98,7 @@ int LocalSystem::index_of(std::int64_t number, bool belongs_to_b) {
     if (index == count) {
         unknown[index] = number;
         of_b[index] = belongs_to_b;
+        section[index] = -1;
         ++count;
     }
     return index;

@@ -43,15 +43,17 @@ TEST_CASE("gap, its gradient and its curvature against finite differences", "[lo
             const auto here = local_system(rods.tubes, e, rods.q);
             const double ahead = local_system(rods.tubes, e, moved(h)).gap;
             const double behind = local_system(rods.tubes, e, moved(-h)).gap;
-            double slope = 0, spin[2] = {0, 0};
+            double slope = 0, bend = 0;
             for (int i = 0; i < here.count; ++i) {
                 const double along = e.normal.dot(vector_at(step, here.unknown[i]));
                 slope += here.gap_weight[i] * along;
-                spin[i < here.count_a ? 0 : 1] += here.spin_weight[i] * along;
+                for (int j = 0; j < here.count; ++j)
+                    if (here.same_section(i, j))
+                        bend += here.share[i] * here.spin_weight[i] * along * here.spin_weight[j] *
+                                e.normal.dot(vector_at(step, here.unknown[j]));
             }
             CHECK(std::abs((ahead - behind) / (2 * h) - slope) < 1e-6);
-            CHECK(std::abs((ahead - 2 * here.gap + behind) / (h * h) + spin[0] * spin[0] +
-                           spin[1] * spin[1]) < 1e-5);
+            CHECK(std::abs((ahead - 2 * here.gap + behind) / (h * h) + bend) < 1e-5);
         }
     }
 }
@@ -97,6 +99,23 @@ TEST_CASE("a spinning section leaves the gap alone", "[local_system]") {
                 CHECK(std::abs(local_system(turned.tubes, e, turned.q).gap -
                                local_system(turned.tubes, e, contact.rods.q).gap) < 1e-13);
         }
+}
+
+TEST_CASE("sections that spin against each other keep their half width", "[local_system]") {
+    Rods rods;
+    rods.add_straight(beam, 4, 1.0, {0, 0, 0}, {0, 0, 8});
+    rods.add_straight(beam, 5, 0.8, {1.5, -3, 4}, {1.5, 3, 4});
+    for (std::int32_t i = 0; i < rods.tubes[0].num_nodes(); ++i) {
+        const auto first = rods.tubes[0].unknown_of(i);
+        Eigen::Map<Vec3>(rods.q.data() + first + 3) = Vec3(std::cos(i), std::sin(i), 0);
+        Eigen::Map<Vec3>(rods.q.data() + first + 6) = Vec3(-std::sin(i), std::cos(i), 0);
+    }
+    ContactElement e{};
+    e.tube_b = 1;
+    e.s_a = 1.4;
+    e.s_b = 2.5;
+    e.normal = Vec3::UnitX();
+    CHECK(std::abs(local_system(rods.tubes, e, rods.q).gap - (1.5 - 1.8)) < 1e-14);
 }
 
 TEST_CASE("a spinning section does no work without friction", "[local_system]") {
