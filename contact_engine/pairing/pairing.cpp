@@ -171,7 +171,8 @@ bool covers(const ProximityZone& zone, const Station& s) {
 
 /// Point stations of before, at the closest approaches they have now. Their weights stay while the
 /// equilibrium of an increment is being found: a weight and the shape of the yarns that it depends
-/// on would chase each other.
+/// on would chase each other. One whose approach is gone ends: line stations take its length over,
+/// and it does not come back while points are kept.
 std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone,
                                  const History& history, double spacing) {
     std::vector<Station> out;
@@ -180,10 +181,10 @@ std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone
             return;
         const double arc_a = old.s_a * pair.a.element_length,
                      arc_b = old.s_b * pair.b.element_length;
-        auto at = pair.closest(arc_a, arc_b).value_or(std::pair(arc_a, arc_b));
-        if (std::abs(at.first - arc_a) > spacing)
-            at = {arc_a, arc_b};
-        const auto kept = pair.station(at.first, at.second, old.weight, point_station);
+        const auto at = pair.closest(arc_a, arc_b);
+        if (!at || std::abs(at->first - arc_a) > spacing)
+            return;
+        const auto kept = pair.station(at->first, at->second, old.weight, point_station);
         if (covers(zone, kept))
             add_point(out, pair, kept, spacing);
     });

@@ -21,8 +21,9 @@ class Ends:
         body: The yarns.
         options: What the scene says.
         symmetry: Yarns that follow others.
+        at: Unknowns of the state whose end sections are held, shape (num_unknowns,).
         still: Unknowns that stay where they are, if only a part of the rope is to move, ends not among it.
-        at: All unknowns as they are, needed for those.
+        pulled: Whether a force moves the last section, as one plane, instead of its being held axially.
     """
 
     def __init__(
@@ -30,32 +31,31 @@ class Ends:
         body: CurveBody,
         options: EndConditions,
         symmetry: Rotations,
+        at: Floats,
         still: np.ndarray | None = None,
-        at: Floats | None = None,
+        pulled: bool = False,
     ) -> None:
         block, nodes = body.block, body.layout.curves
-        self._rest = body.rest.ravel().copy()
+        self._at = at.copy()
         self._options = options
         self._first, self._last = nodes[:-1] * block, (nodes[1:] - 1) * block
         self._block, self._nodes = block, nodes
         self.last_axial = self._last + 2
-        self.length = float(self._rest[self.last_axial].mean() - self._rest[self._first + 2].mean())
+        self.length = float(at[self.last_axial].mean() - at[self._first + 2].mean())
 
         leads = symmetry.leader == np.arange(len(nodes) - 1)
         self._first, self._last = self._first[leads], self._last[leads]
-        if still is not None and at is not None:
-            constraints, self._values = self._stay(still, at, np.repeat(leads, np.diff(nodes)))
+        if still is not None:
+            constraints, self._values = self._stay(still, np.repeat(leads, np.diff(nodes)))
         else:
             constraints, self._values = self._across()
-            for section in (self._first + 2, self._last + 2):
-                constraints.hold(section)
-                self._values[section] = self._rest[section]
+            self._along(constraints, pulled)
         for image in np.flatnonzero(~leads):
             self._turn(constraints, symmetry, image)
         self._map = constraints.resolve()
 
     def held(self, strain: float) -> tuple[ConstraintMap, Floats]:
-        """Both end sections held, the last one at a rope strain from the reference state.
+        """Both end sections held, the last one at a rope strain from the state they were held at first.
 
         Returns:
             The constraint map and the values of its constraints, mm.
@@ -65,16 +65,27 @@ class Ends:
         return self._map, values
 
     def _across(self) -> tuple[Constraints, Floats]:
-        constraints, values = Constraints(len(self._rest)), np.zeros(len(self._rest))
+        constraints, values = Constraints(len(self._at)), np.zeros(len(self._at))
         first, last = self._nodal(self._first), self._nodal(self._last)
         if self._options.transverse == "periodic":
             constraints.tie(last, first)
-            values[last] = self._rest[last] - self._rest[first]
+            values[last] = self._at[last] - self._at[first]
         elif self._options.transverse == "fixed":
             for section in (first, last):
                 constraints.hold(section)
-                values[section] = self._rest[section]
+                values[section] = self._at[section]
         return constraints, values
+
+    def _along(self, constraints: Constraints, pulled: bool) -> None:
+        first, last = self._first + 2, self._last + 2
+        constraints.hold(first)
+        self._values[first] = self._at[first]
+        if pulled:
+            constraints.tie(last[1:], last[0])
+            self._values[last[1:]] = self._at[last[1:]] - self._at[last[0]]
+        else:
+            constraints.hold(last)
+            self._values[last] = self._at[last]
 
     def _nodal(self, first_unknown: np.ndarray) -> np.ndarray:
         """Unknowns of end nodes that move across the axis: x, y, and directors where those are not free."""
@@ -83,11 +94,11 @@ class Ends:
             components += range(3, self._block)
         return (first_unknown[:, None] + np.array(components)).ravel()
 
-    def _stay(self, still: np.ndarray, at: Floats, leads: np.ndarray) -> tuple[Constraints, Floats]:
+    def _stay(self, still: np.ndarray, leads: np.ndarray) -> tuple[Constraints, Floats]:
         held = still & np.repeat(leads, self._block)
-        constraints = Constraints(len(at))
+        constraints = Constraints(len(self._at))
         constraints.hold(np.flatnonzero(held))
-        return constraints, np.where(held, at, 0.0)
+        return constraints, np.where(held, self._at, 0.0)
 
     def _turn(self, constraints: Constraints, symmetry: Rotations, yarn: int) -> None:
         """Ties positions and directors of a yarn to those of the one that it is an image of."""

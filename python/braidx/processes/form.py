@@ -2,9 +2,10 @@
 
 Cables under one constant tension are separated by the stacking order of their strands, gaps being reduced
 step by step (eq. 6), within a die if there is one. Once no yarn is on the wrong side and the deepest
-penetration is moderate, the die is opened and the penalty raised step by step until yarns hardly penetrate. At
-last the rope comes to rest with friction, consistent pairs and penetrations within the tolerance. A cable under
-constant tension has no material memory: until it rests, nodes are spread evenly before each increment.
+penetration is moderate, the penalty is raised step by step until yarns hardly penetrate. At last the rope comes to
+rest with friction, consistent pairs and penetrations within the tolerance. Yarns that leave a die keep the lengths that
+they have in it: they get their real stiffness, and one end section carries the force that the rope was formed under.
+A cable under constant tension has no material memory: until it rests, nodes are spread evenly before each increment.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from scipy.interpolate import CubicSpline
 
 from ..bodies import CableBody
 from ..output.log import LOGGER
-from ..scene import Form
+from ..scene import Form, Scene
 from ..solver.increment import Diverged, Increment, IncrementOptions
 from ..system.constraints import Floats
 from .model import RopeModel
@@ -26,19 +27,36 @@ from .outcome import NotConverged, Outcome
 from .state import State
 
 STRETCH = 10.0  # axial stiffness over tension: holds nodes apart within an increment
-OPENING = 0.7  # penetration over radius at which the die opens
+DENSER = 0.7  # penetration over radius below which stations stand as dense as they will
 PRESSED = 0.06  # penetration over radius at which nodes are no longer spread
 PRESS_ON = (
     1.5  # factor on the penalty that would just bring yarns to the tolerance when they come to rest
 )
-RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once the die is open
+OPENING = 0.05  # growth of the bore's radius over that of a yarn, per increment, until
+RELEASED = 0.005  # the share of all normal forces that acts on the bore is smaller than this
+RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once stations are dense
 RAISE_EVERY = 4
-COARSER = 2.0  # factor on the spacing of stations until the die is open
+COARSER = 2.0  # factor on the spacing of stations until then
 PASSING = (1e-2, 8)  # tolerance and iterations of Newton for states that are only passed through
 REST = 2  # increments that the rope is given to come to rest, with consistent pairs
 ONCE_MORE = {"rested": REST - 1.0, "stiffening": 1.0}  # comes to rest after a part of it did
 RETRIES = 4  # doublings of the viscosity before forming gives up
 SNAPSHOTS = 4  # pictures on the way
+
+
+def in_die(scene: Scene, state: State) -> bool:
+    """Whether a rope being formed is in its die."""
+    return _has_die(scene, state) and state.model == "cell"
+
+
+def keeps_lengths(scene: Scene, state: State) -> bool:
+    """Whether a rope being formed has left its die: yarns keep the lengths that they had in it."""
+    return _has_die(scene, state) and state.model != "cell"
+
+
+def _has_die(scene: Scene, state: State) -> bool:
+    step = scene.steps[state.step]
+    return isinstance(step, Form) and step.die_diameter is not None
 
 
 def form(model: RopeModel, state: State, step: Form) -> Iterator[Outcome]:
@@ -63,28 +81,38 @@ class Former:
         self._radius = radius
         element = scene.rope.pitch / scene.yarn.elements_per_pitch
         self._viscosity = step.viscosity * step.tension / element
-        self._first_penalty = step.penalty * step.tension / radius**2
         contact = model.contact
         contact.laws.friction = [0.0]
         contact.laws.gap_step = step.gap_reduction * radius
         contact.pairing.keep_side = False
         self._spacing = contact.pairing.spacing
+        self._in_die = in_die(scene, state)
         self._number = {
             "done": 0.0,
             "separated": 0.0,
-            "penalty": self._first_penalty,
+            "penalty": step.penalty * step.tension / radius**2,
             "raised": 0.0,
-            "opened": 0.0,
+            "dense": 0.0,
             "pressed": 0.0,
+            "opening": 0.0,
+            "open": float(step.die_diameter is None),
             "rested": 0.0,
             "stiffening": 1.0,
             **state.progress,
         }
+        self._keeps_lengths = keeps_lengths(scene, state)
+        if self._keeps_lengths:
+            force = state.results["formed_force"] / model.rope.num_yarns
+            model.loads.loads[model.ends.last_axial] = force
 
     @property
     def finished(self) -> bool:
-        """Whether the rope is formed, or the increments are used up."""
-        return self._number["rested"] >= REST or self._number["done"] >= self.step.increments
+        """Whether this stage of forming is over, or the increments are used up."""
+        return self._has_come or self._number["done"] >= self.step.increments
+
+    @property
+    def _has_come(self) -> bool:
+        return bool(self._number["pressed"]) if self._in_die else self._number["rested"] >= REST
 
     def increment(self) -> Outcome:
         """One increment of forming."""
@@ -112,19 +140,21 @@ class Former:
             None,
             force,
             cost=(increment.iterations, increment.linear_solves),
-            snapshot=self._formed if self.finished else name,
+            snapshot=self._stage if self.finished else name,
         )
 
     @property
-    def _formed(self) -> str:
-        return {"cell": "one pitch formed", "joints": "joined"}.get(self.state.model, "formed")
+    def _stage(self) -> str:
+        """Name of the state that this stage ends with."""
+        names = {"cell": "one pitch", "released": "released", "joints": "joined"}
+        return "in the die" if self._in_die else names.get(self.state.model, "formed")
 
     def check(self) -> None:
         """Raises NotConverged unless the shape found is one of yarns that do not penetrate."""
         contact = self.model.contact
         deepest = float(-contact.results(self.state.q)["gap"].min(initial=0.0))
         wrong = wrong_side_crossings(self.model, self.state.q)
-        if self._number["rested"] < REST or wrong:
+        if not self._has_come or wrong:
             pairs = ", ".join(f"{a}-{b}" for a, b in contact.worst_pairs())
             raise NotConverged(
                 f"the rope is not formed after {self._number['done']:.0f} increments: penetration {deepest:.3f} mm "
@@ -133,32 +163,34 @@ class Former:
             )
 
     def _prepare(self) -> None:
-        """Spreads nodes evenly, renews the tension, and puts the die where it belongs; not while resting."""
+        """Spreads nodes evenly and renews the tension, unless the rope rests already; puts the die in its place."""
         model, number, contact = self.model, self._number, self.model.contact
         contact.pairing.stiffness = number["penalty"]
-        contact.pairing.spacing = self._spacing * (1.0 if number["opened"] else COARSER)
+        contact.pairing.spacing = self._spacing * (1.0 if number["dense"] else COARSER)
         contact.pairing.crossing.by_point = bool(number["separated"])
         assert isinstance(model.body, CableBody)
-        if not number["rested"]:
+        if not number["rested"] and not self._keeps_lengths:
             q = spread_nodes(model.centre_lines(self.state.q))
             model.body.set_reference(q.reshape(-1, 3))
             self.state = replace(self.state, q=q)
             contact.elements = engine.ContactElements()
+            contact.pairing.stiffness *= number["stiffening"]
+            number["stiffening"] = 1.0
+        stretch, real = STRETCH * self.step.tension, model.scene.yarn.axial_stiffness
         model.body.set_properties(
-            tension=self.step.tension, axial_stiffness=STRETCH * self.step.tension
+            tension=self.step.tension, axial_stiffness=real if self._keeps_lengths else stretch
         )
         contact.rigid = []
-        if self.step.die_diameter and not number["opened"]:
+        if self.step.die_diameter is not None and not number["open"]:
             axis = np.array([0.0, 0.0, 1.0])
-            contact.rigid = [
-                engine.make_cylinder(0 * axis, axis, self.step.die_diameter / 2, True, 0)
-            ]
+            bore = self.step.die_diameter / 2 + number["opening"]
+            contact.rigid = [engine.make_cylinder(0 * axis, axis, bore, True, 0)]
 
     def _solve(self) -> Increment:
         newton, contact, number = self.model.newton, self.model.contact, self._number
         options = IncrementOptions(max_updates=1, in_passing=True)
         newton.tolerance, newton.max_iterations = PASSING
-        if number["pressed"]:
+        if number["pressed"] and number["open"]:
             # Beside a joint yarns are held where they touch: no penalty would bring them apart.
             joins = self.state.model == "joints"
             options = IncrementOptions(penetration=None if joins else self._tolerance)
@@ -184,14 +216,17 @@ class Former:
         )
 
     def _advance(self, increment: Increment) -> None:
-        """What the next increment does: separate, raise the penalty, open the die, rest."""
+        """What the next increment does: separate, raise the penalty, rest."""
         number, depth = self._number, increment.penetration / self._radius
         number["stiffening"] = 1.0
         if not number["separated"]:
             number["separated"] = float(wrong_side_crossings(self.model, increment.q) == 0)
-        elif not number["opened"]:
-            number["opened"] = float(depth < OPENING)
+        elif not number["dense"]:
+            number["dense"] = float(depth < DENSER)
             number["raised"] = number["done"]
+        elif not number["open"] and self._keeps_lengths:
+            number["open"] = float(self._share_of_die(increment.q) < RELEASED)
+            number["opening"] += OPENING * self._radius
         elif number["pressed"]:
             number["rested"] += 1
         elif depth < PRESSED:
@@ -200,6 +235,14 @@ class Former:
         elif number["done"] - number["raised"] >= RAISE_EVERY:
             number["penalty"] *= RAISE
             number["raised"] = number["done"]
+
+    def _share_of_die(self, q: Floats) -> float:
+        """Of all normal forces, the share that acts on the bore."""
+        results = self.model.contact.results(q)
+        forces = results["normal_force"]
+        sums = np.array([forces[results["tubes"][:, 1] < 0].sum(), forces.sum()])
+        bore, everywhere = self.model.comm.allreduce(sums)
+        return float(bore / max(everywhere, 1e-300))
 
 
 def spread_nodes(lines: tuple[Floats, ...]) -> Floats:

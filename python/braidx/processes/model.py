@@ -92,7 +92,7 @@ class RopeModel:
     def axial_force(self, q: Floats) -> float:
         """Force that the far end section is pulled with, N, at the state of the last solve."""
         self.system.set_state(q)
-        return float(self.system.residual()[self.ends.last_axial].sum())
+        return float((self.system.residual() + self.loads.loads)[self.ends.last_axial].sum())
 
 
 def cable_body(

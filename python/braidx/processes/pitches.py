@@ -1,7 +1,8 @@
-"""One formed pitch laid end to end: the whole rope, nearly at rest.
+"""From one pitch in a die to the whole rope at rest, stage by stage.
 
-A pitch is formed with end sections that are alike, and symmetric. At the joints contact elements lack what lies beyond
-the end: first the joints come to rest, the rest of the rope held, and then the whole rope, free of symmetry.
+A pitch is formed with end sections that are alike. Released from its die it comes to rest; then it is laid end to end.
+At the joints contact elements lack what lies beyond the end: first the joints come to rest, all else held, and then the
+whole rope.
 """
 
 from __future__ import annotations
@@ -13,17 +14,20 @@ import numpy as np
 from ..contact.contact import Contact
 from ..scene import Scene
 from ..system.constraints import Floats
-from .form import ONCE_MORE
+from .form import ONCE_MORE, in_die, spread_nodes
 from .model import RopeModel
-from .state import State
+from .state import CELL, State
 
 JOINT = 3  # elements to either side of a joint that move while it comes to rest
 POINT_STATION = np.iinfo(np.int64).max  # engine: stations.h
 
 
 def next_stage(model: RopeModel, state: State) -> State | None:
-    """What is formed next, after one pitch, after the joints; None after the whole rope."""
-    if state.model == "cell":
+    """What is formed next; None after the whole rope."""
+    if state.model == "cell" and in_die(model.scene, state):
+        q = spread_nodes(model.centre_lines(state.q))
+        return replace(state, model="released", q=q, reference=q.copy())
+    if state.model in CELL:
         return laid_end_to_end(model, state)
     if state.model == "joints":
         return replace(state, model="forming", progress={**state.progress, **ONCE_MORE})
@@ -49,10 +53,12 @@ def laid_end_to_end(model: RopeModel, state: State) -> State:
     scene = model.scene
     pitches = scene.rope.pitches
     tension = state.rest_tension.reshape(-1, scene.yarn.elements_per_pitch)
-    shifts = scene.rope.pitch * np.arange(pitches)[:, None, None] * np.array([0.0, 0.0, 1.0])
 
     def repeated(q: Floats) -> Floats:
         lines = q.reshape(len(tension), -1, 3)
+        shifts = np.arange(pitches)[:, None, None] * np.array(
+            [0.0, 0.0, np.ptp(lines[0, [0, -1], 2])]
+        )
         parts = [lines[:, :-1] + shift for shift in shifts]
         return np.concatenate([*parts, lines[:, -1:] + shifts[-1]], axis=1).ravel()
 

@@ -12,9 +12,10 @@ from ..geometry import Rope, Rotations, build_rope, no_rotations, rotation_about
 from ..scene import Form, Scene
 from ..system.constraints import Floats
 from .ends import Ends
+from .form import keeps_lengths
 from .model import RopeModel, beam_body, cable_body, periodic_directors
 from .pitches import JOINT, distance_to_joint
-from .state import State
+from .state import CELL, State
 
 
 def start_state(scene: Scene) -> State:
@@ -66,7 +67,7 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
 
 def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
     """The rope in the model that a state belongs to, with the state's contact history."""
-    rope = one_pitch(scene) if state.model == "cell" else build_rope(scene)
+    rope = one_pitch(scene) if state.model in CELL else build_rope(scene)
     block = 9 if state.model == "beam" else 3
     reference = np.split(state.reference.reshape(-1, block), rope.num_yarns)
     body: Any
@@ -108,14 +109,18 @@ def _symmetry(scene: Scene, rope: Rope) -> Rotations:
 
 
 def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends:
-    """What is held: while one pitch is formed its ends are alike; then all but the joints between pitches stay."""
+    """What is held: the ends of one pitch are alike; then all but the joints between pitches stay; then the ends."""
     symmetry = _symmetry(scene, rope)
-    if state.model == "cell":
-        return Ends(body, replace(scene.ends, transverse="periodic"), symmetry)
+    pulled = state.forms and keeps_lengths(scene, state)
+    if state.model in CELL:
+        alike = replace(scene.ends, transverse="periodic")
+        return Ends(body, alike, symmetry, state.q, pulled=pulled)
     if state.model == "joints":
         away = distance_to_joint(scene, body.layout.curves) > JOINT * scene.yarn.degree
-        return Ends(body, scene.ends, symmetry, still=np.repeat(away, 3), at=state.q)
-    return Ends(body, scene.ends, symmetry)
+        return Ends(body, scene.ends, symmetry, state.q, still=np.repeat(away, 3))
+    return Ends(
+        body, scene.ends, symmetry, state.q if state.forms else state.reference, pulled=pulled
+    )
 
 
 def one_pitch(scene: Scene) -> Rope:

@@ -17,6 +17,7 @@ from ..system.constraints import Floats
 
 FILE = "checkpoint.npz"
 ARRAYS = ("q", "reference", "rest_tension", "rate")
+CELL = ("cell", "released")  # models of one pitch
 
 
 @dataclass(frozen=True)
@@ -25,8 +26,8 @@ class State:
 
     Attributes:
         q: Unknowns, shape (num_unknowns,); block of the model in use.
-        model: "cell" (one pitch being formed), "joints" (of such pitches, coming to rest) and "forming" (the whole
-            rope, likewise): cables with forming's own stiffness; then "cable" or "beam".
+        model: While the rope is formed "cell" (one pitch), "released" (from the die), "joints" (of such pitches, coming
+            to rest) and "forming" (the whole rope, likewise), made of cables; then "cable" or "beam".
         reference: Unknowns of the reference state that strains are measured from, shape as q.
         rest_tension: Tension of the elements in the reference state, shape (num_elements,), N (cables).
         contacts: Contact elements of all processes with their memory, as arrays.
@@ -56,7 +57,7 @@ class State:
     @property
     def forms(self) -> bool:
         """Whether the rope is still being formed."""
-        return self.model in ("cell", "joints", "forming")
+        return self.model in (*CELL, "joints", "forming")
 
     def next_step(self) -> State:
         """The same state at the beginning of the step that follows."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..contact.contact import Contact
+from ..output.log import LOGGER
 from ..system.constraints import Floats
 from ..system.terms import ProximalTerm
 from .newton import Newton, NewtonResult
@@ -188,6 +189,16 @@ class Incrementer:
         enough = FORCING * attempt.residual
         found, result = self.newton.solve(attempt.q, enough)
         attempt.count(result)
+        LOGGER.debug(
+            "update %d: residual %.1e before, %d iterations, %s; sections %s, damping %.2g, %d penalties raised",
+            attempt.updates,
+            attempt.residual,
+            result.iterations,
+            result.reason,
+            "follow" if attempt.follows else "frozen",
+            attempt.damping,
+            attempt.raised,
+        )
         if not result.converged and attempt.follows:
             attempt.unfollowed = UNFOLLOWED
             return

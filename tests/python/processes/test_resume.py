@@ -7,7 +7,7 @@ import time
 
 import numpy as np
 import pytest
-from conftest import command, environment
+from runs import command, environment
 
 from braidx.output import history
 
