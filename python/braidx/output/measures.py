@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -57,18 +58,34 @@ def tape_diameter(section: Cut) -> float:
     return 2.0 * float(section.support(_DIRECTIONS).max(axis=0).mean())
 
 
-def outer_diameter(snapshot: Snapshot, count: int = 40, margin: float = 0.15) -> float:
-    """Outer diameter of the rope, mm: circumscribed diameter, mean over interior cross-sections.
+def outline_diameter(section: Cut) -> float:
+    """Diameter of the circle with the area of the section's outline, mm.
 
-    Source: paper 1, table 3 (diameter of the rope), as measured on cross-sections such as fig. 14.
+    The outline joins the outermost points of yarns in all directions from the rope axis: unlike a tape it sinks into
+    the valleys between them. Pictures of sections, such as by tomography, show it.
     """
-    sections = interior_cuts(snapshot, count, margin)
-    return float(np.mean([circumscribed_diameter(section) for section in sections]))
+    to_circle = np.linalg.inv(section.axes.transpose(0, 2, 1))  # of an ellipse to the unit circle
+    centre = np.einsum("mij,mj->mi", to_circle, section.centre)
+    ray = np.einsum("mij,nj->mni", to_circle, _DIRECTIONS)
+    along, square = np.einsum("mni,mi->mn", ray, centre), (ray**2).sum(axis=2)
+    root = along**2 - square * ((centre**2).sum(axis=1) - 1.0)[:, None]
+    reach = np.where(root >= 0.0, (along + np.sqrt(np.maximum(root, 0.0))) / square, 0.0)
+    return 2.0 * float(np.sqrt(np.mean(reach.max(axis=0) ** 2)))
 
 
-def mean_tape_diameter(snapshot: Snapshot, count: int = 40, margin: float = 0.15) -> float:
-    """`tape_diameter`, mean over interior cross-sections, mm."""
-    return float(np.mean([tape_diameter(s) for s in interior_cuts(snapshot, count, margin)]))
+def outer_diameter(snapshot: Snapshot, count: int = 40, margin: float = 0.15) -> float:
+    """Outer diameter of the rope as a tape shows it, mean over interior cross-sections, mm.
+
+    The diameter of fibre ropes is measured as girth over pi (ISO 2307). Source: paper 1, table 3.
+    """
+    return mean_diameter(tape_diameter, snapshot, count, margin)
+
+
+def mean_diameter(
+    of: Callable[[Cut], float], snapshot: Snapshot, count: int = 40, margin: float = 0.15
+) -> float:
+    """A diameter of sections, mean over interior cross-sections, mm."""
+    return float(np.mean([of(section) for section in interior_cuts(snapshot, count, margin)]))
 
 
 def packing_fraction(section: Cut) -> float:

@@ -7,7 +7,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..geometry import Rope
-from ..output.measures import linear_fit, mean_tape_diameter, outer_diameter, yarn_stress
+from ..output.measures import (
+    circumscribed_diameter,
+    linear_fit,
+    mean_diameter,
+    outer_diameter,
+    outline_diameter,
+    yarn_stress,
+)
 from ..output.snapshot import Snapshot
 from ..scene import Pull, Scene
 
@@ -16,8 +23,10 @@ STATE_RESULTS = {
     "efficiency": "-",
     "outer_diameter_formed": "mm",
     "outer_diameter_loaded": "mm",
-    "tape_diameter_formed": "mm",
-    "tape_diameter_loaded": "mm",
+    "circumscribed_diameter_formed": "mm",
+    "circumscribed_diameter_loaded": "mm",
+    "outline_diameter_formed": "mm",
+    "outline_diameter_loaded": "mm",
     "max_penetration_over_radius": "-",
     "wrong_side_crossings": "count",
     "yarn_stress_mean": "MPa",
@@ -28,30 +37,32 @@ STATE_RESULTS = {
     "stabilisation_work_share": "-",
 }
 
-FIRST_PULL = (
-    "outer_diameter_loaded",
-    "tape_diameter_loaded",
-    *(name for name in STATE_RESULTS if name.startswith("yarn_stress")),
-)
+FIRST_PULL = tuple(n for n in STATE_RESULTS if n.startswith("yarn_stress") or n.endswith("_loaded"))
 
 
 def state_results(name: str, picture: Snapshot, wrong: int, forming: bool) -> dict[str, float]:
     """Results of a state worth a picture; stresses and loaded diameter are those of the first pull."""
     results: dict[str, float] = {"wrong_side_crossings": float(wrong)}
     if forming and name == "formed":
-        results["outer_diameter_formed"] = outer_diameter(picture)
-        results["tape_diameter_formed"] = mean_tape_diameter(picture)
+        results |= _diameters(picture, "formed")
     if picture.axial_stress is not None and name.endswith(("kN", "strain")):
         stress = yarn_stress(picture)
         results |= {
-            "outer_diameter_loaded": outer_diameter(picture),
-            "tape_diameter_loaded": mean_tape_diameter(picture),
+            **_diameters(picture, "loaded"),
             "yarn_stress_mean": stress.mean,
             "yarn_stress_std": stress.std,
             "yarn_stress_min": stress.min,
             "yarn_stress_max": stress.max,
         }
     return results
+
+
+def _diameters(picture: Snapshot, when: str) -> dict[str, float]:
+    return {
+        f"outer_diameter_{when}": outer_diameter(picture),
+        f"circumscribed_diameter_{when}": mean_diameter(circumscribed_diameter, picture),
+        f"outline_diameter_{when}": mean_diameter(outline_diameter, picture),
+    }
 
 
 def final_results(scene: Scene, rope: Rope, rows: Mapping[str, np.ndarray]) -> dict[str, float]:

@@ -22,26 +22,46 @@ def helices(count: int, sense: int = 1, centre: float = 6.0, radius: float = 0.8
     return Snapshot("x", tuple(lines), np.full(count, radius), np.arange(count))
 
 
-def test_outer_diameter_of_helices() -> None:
+def _straight(line: np.ndarray) -> np.ndarray:
+    return np.column_stack([np.tile(line[0, :2], (len(line), 1)), line[:, 2]])
+
+
+def test_circumscribed_diameter_of_helices() -> None:
     # The ellipse's long axis lies along the circumference, so that its far points are not radial.
     snapshot = helices(6)
     slope = 2 * np.pi * 6.0 / 50.0
     phi = np.linspace(0, 2 * np.pi, 100_001)
     half = 0.8 * np.sqrt(1 + slope**2)
     farthest = np.hypot(6.0 + 0.8 * np.cos(phi), half * np.sin(phi)).max()
-    assert measures.outer_diameter(snapshot) == pytest.approx(2 * farthest, rel=1e-4)
+    found = measures.mean_diameter(measures.circumscribed_diameter, snapshot)
+    assert found == pytest.approx(2 * farthest, rel=1e-4)
 
 
-def test_tape_diameter_of_a_single_yarn_and_of_a_pair() -> None:
+def test_diameters_of_a_single_yarn_and_of_a_pair() -> None:
     line = np.zeros((5, 3))
     line[:, 2] = np.arange(5)
     one = Snapshot("x", (line,), np.array([0.7]), np.zeros(1, dtype=np.int64))
-    assert measures.mean_tape_diameter(one) == pytest.approx(1.4)
+    assert measures.outer_diameter(one) == pytest.approx(1.4)
+    assert measures.outline_diameter(cut(one, 2.0)) == pytest.approx(1.4, rel=1e-3)
     assert measures.packing_fraction(cut(one, 2.0)) == pytest.approx(1.0)
     left, right = line - [1.0, 0, 0], line + [1.0, 0, 0]
     pair = Snapshot("x", (left, right), np.array([0.7, 0.7]), np.zeros(2, dtype=np.int64))
-    assert measures.mean_tape_diameter(pair) == pytest.approx(1.4 + 4 / np.pi, rel=1e-4)
-    assert measures.outer_diameter(pair) == pytest.approx(3.4)
+    assert measures.outer_diameter(pair) == pytest.approx(1.4 + 4 / np.pi, rel=1e-4)
+    assert measures.circumscribed_diameter(cut(pair, 2.0)) == pytest.approx(3.4)
+
+
+def test_outline_sinks_into_valleys() -> None:
+    """Yarns on a ring that touch each other: seen from the axis the outline is theirs, not that of the circle."""
+    snapshot = helices(8, centre=2.0, radius=2.0 * np.sin(np.pi / 8))
+    section = cut(
+        replace(snapshot, centre_lines=tuple(_straight(line) for line in snapshot.centre_lines)),
+        50.0,
+    )
+    radius, angle = 2.0 * np.sin(np.pi / 8), np.linspace(-np.pi / 8, np.pi / 8, 10_001)
+    reach = 2.0 * np.cos(angle) + np.sqrt(np.maximum(radius**2 - (2.0 * np.sin(angle)) ** 2, 0.0))
+    expected = 2.0 * np.sqrt(np.mean(reach**2))
+    assert measures.outline_diameter(section) == pytest.approx(expected, rel=1e-3)
+    assert measures.outline_diameter(section) < measures.tape_diameter(section)
 
 
 def test_layers_are_the_senses_of_turning() -> None:

@@ -28,6 +28,7 @@ from braidx.output.measures import (
     layers,
     outer_diameter,
     packing_fraction,
+    tape_diameter,
 )
 from braidx.output.snapshot import Snapshot
 
@@ -41,7 +42,7 @@ def draw_steps(snapshots: Sequence[Snapshot], path: Path) -> Path:
     axes = panels(page, 1, len(snapshots), sharey=True)
     for ax, snapshot, section in zip(axes, snapshots, sections):
         _draw(ax, snapshot, section, half)
-        ax.set_title(f"{snapshot.name}\ndiameter {circumscribed_diameter(section):.2f} mm")
+        ax.set_title(f"{snapshot.name}\ndiameter {tape_diameter(section):.2f} mm")
         ax.set_xlabel("x (mm)")
     axes[0].set_ylabel("y (mm)")
     return save(page, path)
@@ -49,7 +50,7 @@ def draw_steps(snapshots: Sequence[Snapshot], path: Path) -> Path:
 
 @styled
 def draw_section(snapshot: Snapshot, path: Path) -> Path:
-    """One section with its circumscribed circle and measured diameter (fig. 14)."""
+    """One section with its circumscribed circle and diameters (fig. 14)."""
     section = cut(snapshot, _middle(snapshot))
     diameter = circumscribed_diameter(section)
     half = 0.56 * diameter
@@ -68,7 +69,7 @@ def draw_section(snapshot: Snapshot, path: Path) -> Path:
     ax.set_title(
         f"{snapshot.name}: section at z = {section.z:.1f} mm\n"
         f"yarns fill {100 * packing_fraction(section):.0f} % of the circle; "
-        f"mean diameter of the rope {outer_diameter(snapshot):.2f} mm"
+        f"by tape the rope has {outer_diameter(snapshot):.2f} mm"
     )
     ax.set_xlabel("x (mm)")
     ax.set_ylabel("y (mm)")
