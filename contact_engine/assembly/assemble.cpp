@@ -26,15 +26,31 @@ FrictionGradient friction_gradient(const Reaction& r, const Vec3& normal, Fricti
 
 Mat3 block(const Reaction& r, const FrictionGradient& friction, int i, int j) {
     const auto& s = r.system;
-    double along = r.stiffness * s.gap_weight[i] * s.gap_weight[j];
-    if (s.same_section(i, j))
-        along += r.normal_force * s.share[i] * s.spin_weight[i] * s.spin_weight[j];
-    Mat3 out = along * s.normal(i) * s.normal(j).transpose();
+    Mat3 out = r.stiffness * s.gap_weight[i] * s.gap_weight[j].transpose();
     if (r.friction.coefficient > 0) {
         out += s.slip_weight[i] * s.slip_weight[j] * friction.with_slip;
-        out += s.slip_weight[i] * s.gap_weight[j] * friction.with_gap * s.normal(j).transpose();
+        out += s.slip_weight[i] * friction.with_gap * s.gap_weight[j].transpose();
     }
     return out;
+}
+
+/// Adds a block of nine values, row by row.
+void add(std::span<double> values, std::int32_t slot, const Mat3& block) {
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values.data() +
+                                                             9 * std::int64_t{slot}) += block;
+}
+
+/// Adds the curvature of half widths: R_N share (second derivative). Directors are among the
+/// unknowns of the element's own sections.
+void add_half_widths(const Reaction& r, const std::int32_t* slot, std::span<double> values) {
+    const auto& s = r.system;
+    for (int k = 0; k < s.num_sections; ++k)
+        for (int a = 0; a < 2; ++a)
+            for (int b = 0; b < 2; ++b) {
+                const auto& section = s.sections[k];
+                add(values, slot[section.director[a] * s.count_frozen + section.director[b]],
+                    r.normal_force * section.share * section.half_width.hessian[a][b]);
+            }
 }
 
 } // namespace
@@ -48,8 +64,7 @@ void add_residual(const std::vector<Tube>& tubes, const ContactElements& element
         const auto& s = r.system;
         for (int i = 0; i < s.count; ++i)
             Eigen::Map<Vec3>(residual.data() + s.unknown[i]) +=
-                s.slip_weight[i] * r.friction_force -
-                (r.normal_force * s.gap_weight[i]) * s.normal(i);
+                s.slip_weight[i] * r.friction_force - r.normal_force * s.gap_weight[i];
     }
 }
 
@@ -73,9 +88,9 @@ void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements
                 Mat3 part = block(r, friction, i, j);
                 if (sliding)
                     part -= r.normal_force * sliding->block(i, j);
-                Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
-                    values.data() + 9 * std::int64_t{*slot++}) += part;
+                add(values, *slot++, part);
             }
+        add_half_widths(r, pattern.slot.data() + pattern.first_slot[e], values);
     }
 }
 

@@ -15,7 +15,7 @@ void add_particle(LocalSystem& system, const Tube& tube, double s, const double 
         const int i = system.count++;
         system.unknown[i] = unknown;
         system.of_b[i] = of_b;
-        system.section[i] = -1;
+        system.gap_weight[i].setZero();
         system.slip_weight[i] = sign * weight;
         system.separation += sign * weight * vector_at(q, unknown);
     };
@@ -34,17 +34,14 @@ void add_particle(LocalSystem& system, const Tube& tube, double s, const double 
 void add_half_width(LocalSystem& system, const Tube& tube, std::int32_t node, double share,
                     bool of_b, Unknowns q) {
     const auto first = tube.unknown_of(node);
-    const double c1 = vector_at(q, first + 3).dot(system.own_normal),
-                 c2 = vector_at(q, first + 6).dot(system.own_normal);
-    const double norm = std::max(std::hypot(c1, c2), 1e-12);
-    const double along[2] = {c1 / norm, c2 / norm}, across[2] = {-c2 / norm, c1 / norm};
-    system.gap -= share * tube.radius * norm;
+    auto& section = system.sections[system.num_sections++];
+    section.share = share * tube.radius;
+    section.half_width =
+        half_width({vector_at(q, first + 3), vector_at(q, first + 6)}, system.own_normal);
+    system.gap -= section.share * section.half_width.value;
     for (int which = 0; which < 2; ++which) {
-        const int at = system.index_of(first + 3 * (which + 1), of_b);
-        system.section[at] = first;
-        system.share[at] = share;
-        system.gap_weight[at] = -share * tube.radius * along[which];
-        system.spin_weight[at] = std::sqrt(tube.radius / norm) * across[which];
+        const int at = section.director[which] = system.index_of(first + 3 * (which + 1), of_b);
+        system.gap_weight[at] -= section.share * section.half_width.gradient[which];
     }
 }
 
@@ -56,7 +53,7 @@ void add_gap(LocalSystem& system, const Tube& tube, double s, double own_s, bool
     const Support centre = contact_support(tube, s);
     for (int i = 0; i < centre.count; ++i) {
         const auto unknown = tube.unknown_of(centre.node[i]);
-        system.gap_weight[system.index_of(unknown, of_b)] = sign * centre.weight[i];
+        system.gap_weight[system.index_of(unknown, of_b)] += sign * centre.weight[i] * normal;
         system.gap += sign * centre.weight[i] * normal.dot(vector_at(q, unknown));
     }
     if (!tube.has_directors()) {
@@ -98,7 +95,7 @@ int LocalSystem::index_of(std::int64_t number, bool belongs_to_b) {
     if (index == count) {
         unknown[index] = number;
         of_b[index] = belongs_to_b;
-        section[index] = -1;
+        gap_weight[index].setZero();
         ++count;
     }
     return index;

@@ -20,7 +20,7 @@ class CableBody(CurveBody):
     Args:
         comm: Communicator.
         centre_lines: Reference configuration, shape (num_nodes_i, 3) each, mm.
-        axial_stiffness: EA, N; one value, one per curve or one per element.
+        axial_stiffness: EA, N, positive; one value, one per curve or one per element.
         tension: Tension T0 in the reference configuration, N; likewise.
         degree: Degree of the line elements, 1 or 2.
         area: Cross-section, mm^2, likewise; only `axial_stress` asks for it.
@@ -57,17 +57,17 @@ class CableBody(CurveBody):
         """Change EA or T0 (N), as in the constructor; what is None stays.
 
         Raises:
-            ValueError: If a value is negative or of the wrong shape.
+            ValueError: If EA is not positive, T0 negative, or a value of the wrong shape.
         """
-        for field, values, name in (
-            (self._axial_stiffness, axial_stiffness, "axial_stiffness"),
-            (self._tension, tension, "tension"),
+        for field, values, name, bound in (
+            (self._axial_stiffness, axial_stiffness, "axial_stiffness", "be positive"),
+            (self._tension, tension, "tension", "not be negative"),
         ):
             if values is None:
                 continue
             spread = self.layout.per_element(values, name)
-            if np.any(spread < 0.0) and field is self._axial_stiffness:
-                raise ValueError(f"axial_stiffness is {spread.min()} N: it must not be negative")
+            if np.any(spread < 0.0) or (field is self._axial_stiffness and not spread.all()):
+                raise ValueError(f"{name} is {spread.min()} N: it must {bound}")
             field.set(spread)
 
     def set_reference(self, q: FloatArray) -> None:

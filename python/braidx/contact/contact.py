@@ -42,6 +42,7 @@ class Contact:
         laws: Laws of contact (engine object): regularisation, reversible slip, gap step, friction.
         pairing: How contact elements are made (engine object).
         min_radius: Radius of the thinnest tube, mm.
+        symmetrised: Whether the tangent of friction is made symmetric.
         start: Unknowns at the start of the increment, shape (num_unknowns,).
         reach: Elements that sections may move before the tangent needs a new pattern.
     """
@@ -69,7 +70,7 @@ class Contact:
         self.comm, self.layout = comm, layout
         self.min_radius = float(layout.radius.min())
         self.crossings = crossings if crossings is not None else no_crossings()
-        self.symmetric = symmetric
+        self.symmetrised = symmetric
         self.rigid: list[Any] = []
         self.laws = engine.ContactLaws()
         self.pairing = engine.PairingOptions()
@@ -81,6 +82,11 @@ class Contact:
         self.pattern_version = 0
         self._pattern: Any = None
         self._lay_out()
+
+    @property
+    def symmetric_tangent(self) -> bool:
+        """Whether the tangent is symmetric: made so, or for lack of friction."""
+        return self.symmetrised or not any(self.laws.friction)
 
     def update(self, q: Floats) -> None:
         """Makes contact elements anew at the unknowns q; memory is carried over."""
@@ -192,7 +198,7 @@ class Contact:
             self._q,
             self.start,
             self.laws,
-            self.symmetric,
+            self.symmetric_tangent,
             values,
         )
         return values

@@ -10,6 +10,7 @@ import numpy as np
 from mpi4py import MPI
 
 from ..bodies import BeamBody, BeamSection, CableBody, CurveBody, YarnMaterial
+from ..bodies.tilt import SHARE, SectionTilt
 from ..contact.contact import Contact, TubeLayout
 from ..geometry import Crossings, Rope
 from ..scene import Scene
@@ -49,7 +50,9 @@ class RopeModel:
         self.loads = LoadTerm(size, comm.rank)
         self.directors = np.tile(np.arange(body.block) >= 3, body.num_nodes)
         self.ends = ends
+        self.tilt = section_tilt(comm, scene, body)
         terms: list[Term] = [BodyTerm(body, 0), self.contact, self.proximal, self.loads]
+        terms += [self.tilt] if self.tilt else []
         self.system = GlobalSystem(comm, terms, *self.ends.held(0.0))
         solver = scene.solver
         options = NewtonOptions(
@@ -86,8 +89,9 @@ class RopeModel:
 
     def internal_energy(self, q: Floats) -> float:
         """Elastic energy of the yarns of all processes, mJ, that of the reference state's tension included."""
-        self.body.set_state(q.reshape(-1, self.body.block))
-        return float(self.comm.allreduce(self.body.energy())) + self.preload_energy
+        self.system.set_state(q)
+        energy = self.body.energy() + (self.tilt.energy() if self.tilt else 0.0)
+        return float(self.comm.allreduce(energy)) + self.preload_energy
 
     def axial_force(self, q: Floats) -> float:
         """Force that the far end section is pulled with, N, at the state of the last solve."""
@@ -133,7 +137,7 @@ def beam_body(
         inertia_1,
         inertia_2,
         yarn.torsion_constant or inertia_1 + inertia_2,
-        yarn.section_area,
+        yarn.section_area * (1.0 - SHARE if yarn.degree == 1 else 1.0),
     )
     material = YarnMaterial(
         yarn.axial_stiffness / yarn.section_area,
@@ -154,6 +158,14 @@ def beam_body(
         natural_state="straight" if yarn.natural_state == "straight" else "as placed",
         tension=tension,
     )
+
+
+def section_tilt(comm: MPI.Comm, scene: Scene, body: CurveBody) -> SectionTilt | None:
+    """The nodes' share of the shear of beams of degree 1."""
+    if body.block != 9 or body.layout.degree != 1:
+        return None
+    shear_stiffness = SHARE * scene.yarn.shear_modulus * scene.yarn.section_area
+    return SectionTilt(body.layout, body.rest, shear_stiffness, mine=comm.rank == 0)
 
 
 def periodic_directors(line: Floats) -> Floats:

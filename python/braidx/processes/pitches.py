@@ -69,7 +69,6 @@ def laid_end_to_end(model: RopeModel, state: State) -> State:
         q=q,
         reference=repeated(state.reference),
         rest_tension=np.tile(tension, pitches).ravel(),
-        rate=np.zeros_like(q),
         contacts=_repeated_contacts(model.contact, state.contacts, pitches),
         progress={**state.progress, **ONCE_MORE},
     )

@@ -101,27 +101,21 @@ class Puller:
         return float(np.mean(self.model.tension(q)))
 
     def _predict(self, strain: float) -> Floats:
-        """The state moved on at the rate of the last increment, or stretched along the axis at first."""
-        rate: Floats = self.state.rate
-        if not rate.any():
-            stretch: Floats = np.zeros((self.model.body.num_nodes, self.model.body.block))
-            stretch[:, 2] = self.state.reference.reshape(stretch.shape)[:, 2]
-            rate = np.asarray(stretch.ravel(), dtype=np.float64)
-        moved: Floats = self.state.q + (strain - self.strain) * rate
-        return moved
+        """The state stretched along the axis.
+
+        Not at the rate of the last increment: how yarns slipped then is no guide to how they will.
+        """
+        moved = self.state.q.reshape(self.model.body.num_nodes, -1).copy()
+        moved[:, 2] *= (1.0 + strain) / (1.0 + self.strain)
+        return moved.ravel()
 
     def _take(self, increment: Increment, strain: float) -> None:
-        rate = self.state.rate
-        if strain != self.strain:
-            moved = (increment.q - self.state.q) / (strain - self.strain)
-            rate = np.asarray(moved, dtype=np.float64)
         self.strain = strain
         most = self.state.progress.get("tension", 0.0)
         tension = max(most, self._mean_tension(increment.q))
         self.state = replace(
             self.state,
             q=increment.q,
-            rate=rate,
             contacts=self.model.contact.arrays(),
             progress={**self.state.progress, "strain": strain, "tension": tension},
             stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
@@ -158,7 +152,6 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
         reached = {"settled": done, "target": target}
         puller.state = replace(
             puller.state,
-            rate=0.0 * puller.state.rate,  # of coming to rest, which is not that of pulling
             progress={**puller.state.progress, **reached},
         )
         yield _outcome(

@@ -29,7 +29,6 @@ def start_state(scene: Scene) -> State:
         model="cell" if forms else "forming",
         reference=q.copy(),
         rest_tension=np.zeros(elements),
-        rate=np.zeros_like(q),
     )
     return state if forms else in_own_model(scene, state)
 
@@ -50,7 +49,6 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
     contacts = dict(state.contacts)
     if contacts:
         contacts["stiffness"] = scale * contacts["stiffness"]
-        contacts["slip"] = 0.0 * contacts["slip"]
     q = _with_directors(scene, state.q) if scene.yarn.model == "beam" else state.q
     return replace(
         state,
@@ -58,7 +56,6 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
         q=q,
         reference=q.copy(),
         rest_tension=scale * state.rest_tension,
-        rate=np.zeros_like(q),
         contacts=contacts,
         stabilisation_work=0.0,
         progress={},

@@ -16,7 +16,7 @@ from ..scene import SceneError
 from ..system.constraints import Floats
 
 FILE = "checkpoint.npz"
-ARRAYS = ("q", "reference", "rest_tension", "rate")
+ARRAYS = ("q", "reference", "rest_tension")
 CELL = ("cell", "released")  # models of one pitch
 
 
@@ -35,7 +35,6 @@ class State:
         increment: Increments so far, all steps.
         results: Results collected so far.
         costs: Cost per phase so far.
-        rate: Change of q per unit of rope strain in the last increment, shape as q; zero at first.
         stabilisation_work: Work the stabilisation has taken since the reference state was set, mJ.
         friction_work: Work dissipated by friction since the start of the run, mJ.
     """
@@ -44,7 +43,6 @@ class State:
     model: str
     reference: Floats
     rest_tension: Floats
-    rate: Floats
     contacts: dict[str, np.ndarray] = field(default_factory=dict)
     step: int = 0
     progress: dict[str, float] = field(default_factory=dict)

@@ -72,9 +72,10 @@ class SolverOptions(Table):
     max_iterations: int = option(25, minimum=1, doc="Newton iterations before an increment is cut.")
     max_cuts: int = option(8, minimum=0, doc="Halvings of an increment before the run gives up.")
     tangent: str = option(
-        "symmetric",
+        "consistent",
         choices=("symmetric", "consistent"),
-        doc="Tangent of friction: symmetrised (CHOLMOD) or consistent (MUMPS).",
+        doc="Tangent of friction: symmetrised (CHOLMOD), or consistent (MUMPS), with which Newton's method converges "
+        "in a fifth of the iterations.",
     )
     viscosity: float = option(
         1.0,

@@ -183,7 +183,10 @@ class Incrementer:
         proximal.damping = np.where(
             self.newton.directors, 0.0, attempt.damping * force / contact.min_radius
         )
-        if system.update_pattern() or self.newton.indefinite:
+        symmetric = contact.symmetric_tangent
+        changed = symmetric != self.newton.symmetric
+        self.newton.symmetric = symmetric
+        if system.update_pattern() or self.newton.indefinite or changed:
             self.newton.renew()
         # More would be lost at the next update.
         enough = FORCING * attempt.residual

@@ -59,6 +59,7 @@ class Newton:
 
     Attributes:
         directors: Whether an unknown belongs to a director, shape (num_unknowns,).
+        symmetric: Whether the tangent is symmetric; a change takes effect with `renew`.
         indefinite: Whether the solver in use copes with an indefinite tangent, at a higher price.
         tolerance, max_iterations: As in the options, unless loosened for states only passed through.
     """
@@ -68,6 +69,7 @@ class Newton:
         self.options = options
         self.directors = directors
         self._is_director = directors[system.constraints.free]
+        self.symmetric = options.symmetric
         self._residual = system.vector.duplicate()
         self._snes: PETSc.SNES | None = None
         self.indefinite = False
@@ -94,8 +96,8 @@ class Newton:
         ksp = snes.getKSP()
         ksp.setType("preonly")
         factorisation = ksp.getPC()
-        factorisation.setType("cholesky" if self.options.symmetric else "lu")
-        definite = self.options.symmetric and self.system.comm.size == 1 and not indefinite
+        factorisation.setType("cholesky" if self.symmetric else "lu")
+        definite = self.symmetric and self.system.comm.size == 1 and not indefinite
         factorisation.setFactorSolverType("cholmod" if definite else "mumps")
         # A failed factorisation is dealt with: CHOLMOD need not tell the user.
         quiet: dict[str, object] = {"mat_cholmod_print": 0} if definite else {}

@@ -96,19 +96,21 @@ TEST_CASE("C9: friction of beams acts at their surfaces, where they touch", "[ba
     CHECK(std::abs(std::abs(a.moment[1]) - r.friction_force.norm()) < 1e-9);
 }
 
-TEST_CASE("C9: the moment of a contact element is that of its particles' distance", "[balance]") {
+TEST_CASE("C9: the moment of a contact element is that of its centres' and particles' distance",
+          "[balance]") {
     for (const auto& kind : all_kinds) {
         INFO(kind.name);
         auto contact = random_contact(kind, kind, 0.3, 0.2, 50);
         contact.elements.resize(1);
+        Random random(9);
+        contact.rods.turn_sections(random);
         const auto& [rods, elements, start, laws] = contact;
         const Vector residual = contact.residual();
         const Load a = load_on(rods.tubes[0], rods.q, residual);
         const Load b = load_on(rods.tubes[1], rods.q, residual);
         const auto r = reaction(rods.tubes, elements[0], rods.q, start, laws);
-        Vec3 apart = Vec3::Zero(); // of the particles that the normal force acts on
-        for (int i = 0; i < r.system.count; ++i)
-            apart += r.system.gap_weight[i] * vector_at(rods.q, r.system.unknown[i]);
+        const Vec3 apart = position(rods.tubes[1], rods.q, elements[0].s_b) -
+                           position(rods.tubes[0], rods.q, elements[0].s_a);
         const Vec3 expected = apart.cross(r.normal_force * elements[0].normal) -
                               r.system.separation.cross(r.friction_force);
         CHECK((a.moment + b.moment - expected).norm() < 1e-12 * residual.norm() * 6);

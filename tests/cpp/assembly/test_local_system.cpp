@@ -44,14 +44,17 @@ TEST_CASE("gap, its gradient and its curvature against finite differences", "[lo
             const double ahead = local_system(rods.tubes, e, moved(h)).gap;
             const double behind = local_system(rods.tubes, e, moved(-h)).gap;
             double slope = 0, bend = 0;
-            for (int i = 0; i < here.count; ++i) {
-                const double along = e.normal.dot(vector_at(step, here.unknown[i]));
-                slope += here.gap_weight[i] * along;
-                for (int j = 0; j < here.count; ++j)
-                    if (here.same_section(i, j))
-                        bend += here.share[i] * here.spin_weight[i] * along * here.spin_weight[j] *
-                                e.normal.dot(vector_at(step, here.unknown[j]));
-            }
+            const auto along = [&](int i) { return vector_at(step, here.unknown[i]); };
+            for (int i = 0; i < here.count; ++i)
+                slope += here.gap_weight[i].dot(along(i));
+            for (int k = 0; k < here.num_sections; ++k)
+                for (const int i : {0, 1})
+                    for (const int j : {0, 1}) {
+                        const auto& s = here.sections[k];
+                        bend +=
+                            s.share * along(s.director[i])
+                                          .dot(s.half_width.hessian[i][j] * along(s.director[j]));
+                    }
             CHECK(std::abs((ahead - behind) / (2 * h) - slope) < 1e-6);
             CHECK(std::abs((ahead - 2 * here.gap + behind) / (h * h) + bend) < 1e-5);
         }
@@ -99,6 +102,20 @@ TEST_CASE("a spinning section leaves the gap alone", "[local_system]") {
                 CHECK(std::abs(local_system(turned.tubes, e, turned.q).gap -
                                local_system(turned.tubes, e, contact.rods.q).gap) < 1e-13);
         }
+}
+
+TEST_CASE("round sections that are turned, each on its own, leave the gap alone",
+          "[local_system]") {
+    auto contact = random_contact(beam, quadratic_beam, 0, 0, 6);
+    Random random(8);
+    contact.rods.turn_sections(random);
+    for (const auto& e : contact.elements) {
+        const Tube &a = contact.rods.tubes[0], &b = contact.rods.tubes[1];
+        const double apart =
+            (position(b, contact.rods.q, e.s_b) - position(a, contact.rods.q, e.s_a)).dot(e.normal);
+        const auto system = local_system(contact.rods.tubes, e, contact.rods.q);
+        CHECK(std::abs(system.gap - (apart - a.radius - b.radius + e.allowance)) < 1e-9);
+    }
 }
 
 TEST_CASE("sections that spin against each other keep their half width", "[local_system]") {

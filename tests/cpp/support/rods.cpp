@@ -45,4 +45,14 @@ void Rods::shake(Random& random, double size) {
         value += random.uniform(-size, size);
 }
 
+void Rods::turn_sections(Random& random) {
+    for (const auto& tube : tubes)
+        for (std::int32_t i = 0; tube.has_directors() && i < tube.num_nodes(); ++i) {
+            const Vec3 g1 = random.unit();
+            const auto first = tube.unknown_of(i);
+            Eigen::Map<Vec3>(q.data() + first + 3) = g1;
+            Eigen::Map<Vec3>(q.data() + first + 6) = g1.cross(random.unit()).normalized();
+        }
+}
+
 } // namespace braidx::test

@@ -39,6 +39,9 @@ struct Rods {
     /// Moves every component of every unknown by up to `size`.
     void shake(Random& random, double size);
 
+    /// Makes all sections of beams round again, and turns each by some rotation of its own.
+    void turn_sections(Random& random);
+
     /// The same unknowns with the tubes listed the other way round.
     Rods reversed() const { return {{tubes.rbegin(), tubes.rend()}, q}; }
 };

@@ -17,6 +17,16 @@ def test_tension_of_a_stretched_line():
     assert body.energy() == pytest.approx(4.0 * (5.0 * 0.1 + 0.5 * 100.0 * 0.01))
 
 
+def test_a_slack_cable_has_no_tension_and_a_taut_one_that_of_a_bar():
+    line = np.linspace([0.0, 0.0, 0.0], [0.0, 0.0, 4.0], 5)
+    body = CableBody(MPI.COMM_SELF, [line], axial_stiffness=1e5)
+    strains = np.array([-1e-2, -1e-6, 0.0, 1e-4, 2e-4, 5e-3])
+    tension = np.array([body.tension((1.0 + strain) * line)[0] for strain in strains])
+    assert tension[:3] == pytest.approx(0.0, abs=1e-9)
+    # From slack to taut within 2e-4, quadratically; then as a bar that was slack by 1e-4.
+    assert tension[3:] == pytest.approx(1e5 * np.array([0.25e-4, 1e-4, 4.9e-3]))
+
+
 def test_tension_follows_canonical_order():
     body = cached_body("cable", 1)
     state = random_state(body)
@@ -46,7 +56,9 @@ def test_new_reference_keeps_the_tension(degree):
 def test_bad_input_is_named():
     line = np.linspace([0.0, 0.0, 0.0], [0.0, 0.0, 4.0], 5)
     with pytest.raises(ValueError, match="axial_stiffness"):
-        CableBody(MPI.COMM_SELF, [line], axial_stiffness=-1.0)
+        CableBody(MPI.COMM_SELF, [line], axial_stiffness=0.0)
+    with pytest.raises(ValueError, match="tension"):
+        CableBody(MPI.COMM_SELF, [line], axial_stiffness=1.0, tension=-1.0)
     with pytest.raises(ValueError, match="centre line 0 has coinciding"):
         CableBody(MPI.COMM_SELF, [np.repeat(line, 2, axis=0)], axial_stiffness=1.0)
     with pytest.raises(ValueError, match="shape"):
