@@ -15,7 +15,8 @@ from braidx.solver.increment import Increment, Incrementer, IncrementOptions
 from braidx.solver.newton import Newton, NewtonOptions
 from braidx.system.constraints import Constraints
 from braidx.system.global_system import GlobalSystem
-from braidx.system.terms import BodyTerm, LoadTerm, ProximalTerm
+from braidx.system.proximal import ProximalTerm
+from braidx.system.terms import BodyTerm, LoadTerm
 
 Floats = npt.NDArray[np.float64]
 

@@ -81,9 +81,12 @@ class Former:
         self._radius = radius
         element = scene.rope.pitch / scene.yarn.elements_per_pitch
         self._viscosity = step.viscosity * step.tension / element
+        self._turning = element**2 if keeps_lengths(scene, state) else 0.0
         contact = model.contact
         contact.laws.friction = [0.0]
-        contact.symmetrised = True  # a rope that is far from its rest gains nothing from an exact one
+        contact.symmetrised = (
+            True  # a rope that is far from its rest gains nothing from an exact one
+        )
         contact.laws.gap_step = step.gap_reduction * radius
         contact.pairing.keep_side = False
         self._spacing = contact.pairing.spacing
@@ -201,7 +204,8 @@ class Former:
                 self.model.scene.contact.friction if friction is None else friction
             ]
         for retry in range(RETRIES + 1):
-            self.model.set_viscosity(self._viscosity * 2**retry)
+            viscosity = self._viscosity * 2**retry
+            self.model.set_viscosity(viscosity, self._turning * viscosity)
             try:
                 return self.model.incrementer.solve(
                     self.state.q, self.state.q, options, number["stiffening"]

@@ -66,22 +66,26 @@ def _diameters(picture: Snapshot, when: str) -> dict[str, float]:
 
 
 def final_results(scene: Scene, rope: Rope, rows: Mapping[str, np.ndarray]) -> dict[str, float]:
-    """Results of the whole history: stiffness on the linear part, deepest penetration of all equilibria.
+    """Results of the whole history: stiffness on the linear part, worst penetration and stabilisation.
 
-    Forming is a way and not a result: of it only the last increment counts.
+    Forming is a way and not a result: of it only the last increment counts; coming to rest likewise.
     """
     results: dict[str, float] = {}
     step = np.array([str(s) for s in rows["step"]])
-    forming = np.char.endswith(step, "form")
-    if forming.any():
-        forming[np.flatnonzero(forming)[-1]] = False
-    if (~forming).any():
-        deepest = rows["max penetration / radius (-)"][~forming].astype(float)
-        results["max_penetration_over_radius"] = float(deepest.max())
+    for name, column, ways in (
+        ("max_penetration_over_radius", "max penetration / radius (-)", ("form",)),
+        ("stabilisation_work_share", "stabilisation work share (-)", ("form", "settle")),
+    ):
+        reported = np.ones(len(step), dtype=bool)
+        for way in ways:
+            passed = np.flatnonzero(np.char.endswith(step, way))
+            reported[passed[:-1]] = False
+        if reported.any():
+            results[name] = float(rows[column][reported].astype(float).max())
     pulled = np.array(
         [isinstance(scene.steps[int(s.split()[0]) - 1], Pull) for s in step], dtype=bool
     )
-    if pulled.sum() >= 2:
+    if pulled.sum() >= 2 and rows["force (kN)"][pulled].max() > 0:
         strain = rows["rope strain (-)"][pulled].astype(float)
         force = rows["force (kN)"][pulled].astype(float)
         stiffness = linear_fit(strain, force).stiffness

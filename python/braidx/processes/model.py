@@ -18,7 +18,9 @@ from ..solver.increment import Incrementer
 from ..solver.newton import Newton, NewtonOptions
 from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
-from ..system.terms import BodyTerm, LoadTerm, ProximalTerm, Term
+from ..system.proximal import ProximalTerm
+from ..system.terms import BodyTerm, LoadTerm, Term
+from ..system.turning import Turning
 from .ends import Ends
 
 
@@ -46,7 +48,7 @@ class RopeModel:
         self.preload_energy = 0.0
         size = body.num_unknowns
         self.contact = make_contact(comm, scene, rope, body)
-        self.proximal = ProximalTerm(size, comm.rank)
+        self.proximal = ProximalTerm(size, comm.rank, cable_turning(body))
         self.loads = LoadTerm(size, comm.rank)
         self.directors = np.tile(np.arange(body.block) >= 3, body.num_nodes)
         self.ends = ends
@@ -72,8 +74,10 @@ class RopeModel:
         return self.body.rest.ravel().copy()
 
     def set_viscosity(self, positions: float, directors: float = 0.0) -> None:
-        """Stabilisation: N/mm per node on positions, N mm per radian on directors."""
+        """Stabilisation: N/mm per node on positions, N mm per radian on directors, or tangents of cables."""
         self.proximal.viscosity[:] = np.where(self.directors, directors, positions)
+        if self.proximal.turning:
+            self.proximal.turning.viscosity = directors
 
     def positions(self, q: Floats) -> Floats:
         """Node positions, shape (num_nodes, 3), mm."""
@@ -158,6 +162,15 @@ def beam_body(
         natural_state="straight" if yarn.natural_state == "straight" else "as placed",
         tension=tension,
     )
+
+
+def cable_turning(body: CurveBody) -> Turning | None:
+    """Stabilisation of the tangents of cables."""
+    if body.block != 3:
+        return None
+    nodes = np.setdiff1d(np.arange(body.num_nodes - 1), body.layout.curves[1:-1] - 1)
+    length = np.repeat(body.rest_lengths() / body.layout.degree, body.layout.degree)
+    return Turning(3 * nodes, 3 * nodes + 3, length)
 
 
 def section_tilt(comm: MPI.Comm, scene: Scene, body: CurveBody) -> SectionTilt | None:

@@ -152,6 +152,8 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
         reached = {"settled": done, "target": target}
         puller.state = replace(
             puller.state,
+            # On the way to rest the stabilisation works as it should: what counts is what it still does there.
+            stabilisation_work=attempt.increment.stabilisation_work,
             progress={**puller.state.progress, **reached},
         )
         yield _outcome(

@@ -81,7 +81,7 @@ class Recorder:
             if self._wanted(outcome)
             else None
         )
-        self._results |= {"stabilisation_work_share": share, "friction_work": state.friction_work}
+        self._results["friction_work"] = state.friction_work
         if outcome.snapshot and picture is not None:
             wrong = wrong_side_crossings(model, state.q)
             found = state_results(outcome.snapshot, picture, wrong, isinstance(step, Form))

@@ -84,10 +84,11 @@ class SolverOptions(Table):
         doc="Stabilisation of node positions, force per mm moved in the increment.",
     )
     director_viscosity: float = option(
-        2000.0,
+        500.0,
         unit="N mm",
         minimum=0.0,
-        doc="Stabilisation of the directors of beams, per radian turned in the increment.",
+        doc="Stabilisation of the directors of beams and of the tangents of cables, per radian turned in the "
+        "increment.",
     )
     director_cap: float = option(
         0.3, above=0.0, doc="Largest change of a director in one Newton iteration."

@@ -9,7 +9,7 @@ import numpy as np
 from ..contact.contact import Contact
 from ..output.log import LOGGER
 from ..system.constraints import Floats
-from ..system.terms import ProximalTerm
+from ..system.proximal import ProximalTerm
 from .newton import Newton, NewtonResult
 
 FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
