@@ -56,23 +56,29 @@ def _check_which(rope: Rope, group: EndGroup, name: str) -> None:
 
 def _check_turns(scene: Scene, rope: Rope, group: EndGroup, name: str) -> None:
     """Ends on one line have no rotation about it, unless sections of beams tell it."""
-    sections = scene.yarn.model == "beam" and scene.ends.sections == "fixed" and group.rigid
-    if sections:
+    if scene.yarn.model == "beam" and scene.ends.sections == "fixed" and group.rigid:
         return
+    harmless = ("free", "held") if group.rigid else ("free",)
+    asked = {f"rotation.{axis}": angle for axis, angle in group.rotation.items()}
+    asked = {key: angle for key, angle in asked.items() if angle not in harmless}
+    asked |= {f"moment.{axis}": moment for axis, moment in group.moment.items()}
     for yarns in group_members(rope, group):
-        ends = np.array([rope.centre_lines[yarn][0] for yarn in yarns])
-        arms = ends - ends.mean(axis=0)
-        inertia, axes = np.linalg.eigh(np.sum(arms**2) * np.eye(3) - arms.T @ arms)
-        lines = axes[:, inertia < (NEAR * scene.yarn.radius) ** 2]
-        for key in ("rotation", "moment"):
-            for axis in getattr(group, key):
-                if np.abs(lines[AXES.index(axis)]).max(initial=0.0) > NEAR:
-                    cure = (
-                        f"{len(yarns)} end{'s' * (len(yarns) > 1)} of a {group.level} cannot turn about {axis}; "
-                        "leave it out or choose a higher level (beams: rigid = true, ends.sections = "
-                        '"fixed").'
-                    )
-                    raise SceneError(f"{name}.{key}.{axis}", cure, getattr(group, key)[axis])
+        lines = _lines(np.array([rope.centre_lines[yarn][0] for yarn in yarns]), scene.yarn.radius)
+        for key, value in asked.items():
+            if np.abs(lines[AXES.index(key[-1])]).max(initial=0.0) > NEAR:
+                ends = "1 end" if len(yarns) == 1 else f"{len(yarns)} ends on one line"
+                cure = (
+                    f"{ends} of a {group.level} cannot turn about {key[-1]}; leave it out or choose a higher level "
+                    '(beams: rigid = true and ends.sections = "fixed").'
+                )
+                raise SceneError(f"{name}.{key}", cure, value)
+
+
+def _lines(ends: NDArray[np.float64], radius: float) -> NDArray[np.float64]:
+    """Directions, in columns, about which points have no inertia."""
+    arms = ends - ends.mean(axis=0)
+    inertia, axes = np.linalg.eigh(np.sum(arms**2) * np.eye(3) - arms.T @ arms)
+    return np.asarray(axes[:, inertia < (NEAR * radius) ** 2])
 
 
 def _check_bodies(rope: Rope, ends: EndConditions, end: str) -> None:
