@@ -43,6 +43,10 @@ class GroupedEnds:
         self._driven = axially_held(options, rope, "last")
         # What [ends] still is responsible for, per yarn and unknown of its end node.
         components = np.arange(nodes.block)
+        self._unknowns = {
+            "first": nodes.first[:, None] + components,
+            "last": nodes.last[:, None] + components,
+        }
         ruled = (components < 3) | (options.sections == "fixed")
         self._ruled = {end: np.tile(ruled, (rope.num_yarns, 1)) for end in ("first", "last")}
         self._groups: list[tuple[int, Group]] = []
@@ -66,6 +70,8 @@ class GroupedEnds:
             share: How much is reached there of what groups ask for.
         """
         placed = q.copy()
+        held, values = self._held(strain)
+        placed[held] = values
         for group, pose in self._poses(placed, strain, share):
             group.place(placed, pose)
         return placed
@@ -118,15 +124,13 @@ class GroupedEnds:
 
     def _make(self, options: EndGroup, yarns: Ints) -> Group:
         """A group, and takes its ends out of what [ends] is responsible for."""
-        block, ruled = self.nodes.block, self._ruled[options.end]
-        nodes = (self.nodes.first if options.end == "first" else self.nodes.last)[yarns]
-        positions = nodes[:, None] + np.arange(3)
+        ruled, unknowns = self._ruled[options.end], self._unknowns[options.end][yarns]
         directors = np.empty((0, 3), dtype=np.int64)
         ruled[yarns, :3] &= ~np.array(options.releases)
         if options.rigid and ruled[yarns, 3:].any():
-            directors = (nodes[:, None] + np.arange(3, block)).reshape(-1, 3)
+            directors = unknowns[:, 3:].reshape(-1, 3)
             ruled[yarns, 3:] = False
-        return Group(options, positions, directors, self.nodes.rest)
+        return Group(options, unknowns[:, :3], directors, self.nodes.rest)
 
     def _axial(self, number: int, strain: float) -> float:
         """Displacement along the axis that the steps ask of a group, mm."""
@@ -134,25 +138,26 @@ class GroupedEnds:
 
     def _sections(self, strain: float) -> tuple[Constraints, Floats]:
         """What [ends] says about ends, or components, that no group is responsible for; see Ends."""
-        nodes = self.nodes
-        constraints, values = Constraints(len(nodes.rest)), np.zeros(len(nodes.rest))
-        across = np.arange(nodes.block) != 2
-        firsts = nodes.first[:, None] + np.arange(nodes.block)
-        lasts = nodes.last[:, None] + np.arange(nodes.block)
-        for end, unknowns in (("first", firsts), ("last", lasts)):
-            ruled = self._ruled[end]
-            plane = unknowns[ruled & ~across]
-            held = unknowns[ruled & across] if self._options.transverse == "fixed" else plane[:0]
-            for section in (plane, held):
-                constraints.hold(section)
-                values[section] = nodes.rest[section]
-            if end == "last":
-                values[plane] += strain * self.length
+        rest = self.nodes.rest
+        constraints, values = Constraints(len(rest)), np.zeros(len(rest))
+        held, at = self._held(strain)
+        constraints.hold(held)
+        values[held] = at
         if self._options.transverse == "periodic":
-            alike = self._ruled["last"] & across
-            constraints.tie(lasts[alike], firsts[alike])
-            values[lasts[alike]] = nodes.rest[lasts[alike]] - nodes.rest[firsts[alike]]
+            alike = self._ruled["last"] & (np.arange(self.nodes.block) != 2)
+            first, last = self._unknowns["first"][alike], self._unknowns["last"][alike]
+            constraints.tie(last, first)
+            values[last] = rest[last] - rest[first]
         return constraints, values
+
+    def _held(self, strain: float) -> tuple[Ints, Floats]:
+        """Unknowns that [ends] holds at a rope strain, and their values."""
+        along = np.arange(self.nodes.block) == 2
+        held = along | (self._options.transverse == "fixed")
+        first, last = (self._unknowns[end][self._ruled[end] & held] for end in ("first", "last"))
+        moved = np.isin(last, self.nodes.last_axial) * strain * self.length
+        values = np.concatenate([self.nodes.rest[first], self.nodes.rest[last] + moved])
+        return np.concatenate([first, last]), values
 
     def _impose_means(
         self, constraints: Constraints, values: Floats, poses: Sequence[Pose]

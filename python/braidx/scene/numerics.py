@@ -95,7 +95,8 @@ class SolverOptions(Table):
     symmetry: bool = option(
         True,
         doc="Keep the rope symmetric under the rotations about its axis that its recipe is symmetric under: yarns "
-        "follow those that they are images of, and there is that much less to solve; false lets it leave them.",
+        "follow those that they are images of, and there is that much less to solve; false lets it leave them. "
+        "Groups of ends, once they act, do so too.",
     )
     petsc: dict[str, float | int | bool | str] = option(
         {}, doc="Any PETSc options, without the leading dash; they win over the program's own."
