@@ -83,7 +83,9 @@ class Former:
         self._viscosity = step.viscosity * step.tension / element
         contact = model.contact
         contact.laws.friction = [0.0]
-        contact.symmetrised = True  # a rope that is far from its rest gains nothing from an exact one
+        contact.symmetrised = (
+            True  # a rope that is far from its rest gains nothing from an exact one
+        )
         contact.laws.gap_step = step.gap_reduction * radius
         contact.pairing.keep_side = False
         self._spacing = contact.pairing.spacing
