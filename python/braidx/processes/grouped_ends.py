@@ -79,7 +79,7 @@ class GroupedEnds:
     def bent(self, q: Floats) -> float:
         """Largest distance of an end of a rigid group from where it would be if the group were rigid, mm."""
         straight = q.copy()
-        for i, group in self._groups:
+        for _, group in self._groups:
             if group.options.rigid:
                 group.place(straight, group.fit(q))
         return float(np.abs(straight - q).max())

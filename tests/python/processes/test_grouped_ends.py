@@ -13,6 +13,7 @@ from mpi4py import MPI
 
 from braidx.geometry import build_rope, rotation_of
 from braidx.processes.grouped_ends import check_ends
+from braidx.processes.pull import hold
 from braidx.processes.start import make_model, start_state
 from braidx.scene import EndGroup, Hold, SceneError
 
@@ -103,6 +104,16 @@ def test_mean_rotation_is_what_was_asked_for_while_single_ends_rearrange(model):
     radii = np.linalg.norm(ends, axis=1)[1:]
     assert radii.max() > 1.2 and radii.min() < 1.0  # 1.1 in the beginning
     assert outcomes[-1].moment > 50.0 and outcomes[-1].strain == pytest.approx(0.01)
+
+
+def test_a_turn_goes_on_from_a_state_in_its_middle():
+    scene = bundle(CLAMP, MEAN_TURN)
+    _, outcomes = run(scene)
+    middle, end = outcomes[-8].state, outcomes[-1]
+    again = list(hold(make_model(MPI.COMM_SELF, scene, middle), middle, scene.steps[1]))
+    assert len(again) == 7
+    assert again[-1].state.q == pytest.approx(end.state.q, abs=1e-9)
+    assert again[-1].moment == pytest.approx(end.moment, rel=1e-7)
 
 
 def test_a_mean_that_is_given_already_is_refused_before_anything_is_computed():
