@@ -2,16 +2,25 @@
 
 from braidx.geometry.checks import check_geometry
 from braidx.geometry.crossings import Crossings
+from braidx.geometry.end_groups import axially_held, group_members
 from braidx.geometry.rope import Rope, build_rope
 from braidx.geometry.symmetry import Rotations, no_rotations, rotation_about_z, rotations
+from braidx.geometry.turns import angles_of, best_fit, cross_matrix, rates_of, rotation_of
 
 __all__ = [
     "Crossings",
     "Rope",
     "Rotations",
+    "angles_of",
+    "axially_held",
+    "best_fit",
     "build_rope",
     "check_geometry",
+    "cross_matrix",
+    "group_members",
     "no_rotations",
+    "rates_of",
     "rotation_about_z",
+    "rotation_of",
     "rotations",
 ]

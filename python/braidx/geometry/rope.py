@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from braidx.geometry.checks import check_geometry
+from braidx.geometry.end_groups import check_end_groups
 from braidx.geometry.crossings import Crossings, find_crossings, no_crossings, phase_offset
 from braidx.geometry.motif import motif_matrix
 from braidx.geometry.strand import strand_section, yarn_pitch
@@ -69,7 +70,7 @@ def build_rope(scene: Scene) -> Rope:
     """Place the yarns of a scene in their start configuration, interpenetrating as they are.
 
     Raises:
-        SceneError: If the recipe cannot be placed (see `check_geometry`).
+        SceneError: If the recipe cannot be placed (see `check_geometry`), or groups of its ends make no sense.
     """
     check_geometry(scene)
     intervals = scene.yarn.elements_per_pitch * scene.rope.pitches * scene.yarn.degree
@@ -83,7 +84,7 @@ def build_rope(scene: Scene) -> Rope:
         for helix in helices
         for radius, phase in places
     )
-    return Rope(
+    rope = Rope(
         centre_lines=lines,
         radius=np.full(len(lines), scene.yarn.radius),
         strand=np.repeat(np.arange(len(helices)), section.num_yarns),
@@ -93,6 +94,8 @@ def build_rope(scene: Scene) -> Rope:
         length=scene.length,
         pitch=scene.rope.pitch,
     )
+    check_end_groups(scene, rope)
+    return rope
 
 
 def place_yarn(helix: StrandHelix, radius: float, phase: float, rate: float, z: Array) -> Array:

@@ -26,6 +26,7 @@ COLUMNS = (
     "linear solves",
     "contact updates",
     "cuts",
+    "moment (N mm)",
 )
 
 
@@ -34,7 +35,7 @@ class HistoryRow:
     """One increment. The order of the fields is that of `COLUMNS`.
 
     `increment` counts through all steps of a run. `rope_strain` is None while the rope is still
-    being formed: it has no reference length yet.
+    being formed: it has no reference length yet. `moment` is given where groups of ends have conditions.
     """
 
     increment: int
@@ -51,6 +52,7 @@ class HistoryRow:
     linear_solves: int = 0
     contact_updates: int = 0
     cuts: int = 0
+    moment: float | None = None  # N mm, about the axis, on the last section
 
 
 class History:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 
 from ..bodies import CurveBody
 from ..geometry import Rotations
 from ..scene import EndConditions
 from ..system.constraints import ConstraintMap, Constraints, Floats
+from .end_nodes import EndNodes
 
 
 class Ends:
@@ -17,6 +20,11 @@ class Ends:
     node follows its first (periodic), both stay (fixed), or are free. Where the rope is kept
     symmetric, yarns follow the one that they are images of, from end to end.
 
+    Attributes:
+        nodes: The end nodes.
+        grouped: Whether groups of ends have conditions of their own.
+        length: Of the sample in the state whose end sections are held, mm.
+
     Args:
         body: The yarns.
         options: What the scene says.
@@ -25,6 +33,8 @@ class Ends:
         still: Unknowns that stay where they are, if only a part of the rope is to move, ends not among it.
         pulled: Whether a force moves the last section, as one plane, instead of its being held axially.
     """
+
+    grouped: ClassVar[bool] = False
 
     def __init__(
         self,
@@ -38,13 +48,12 @@ class Ends:
         block, nodes = body.block, body.layout.curves
         self._at = at.copy()
         self._options = options
-        self._first, self._last = nodes[:-1] * block, (nodes[1:] - 1) * block
         self._block, self._nodes = block, nodes
-        self.last_axial = self._last + 2
-        self.length = float(at[self.last_axial].mean() - at[self._first + 2].mean())
+        self.nodes = EndNodes(block, nodes, self._at)
+        self.length = self.nodes.length
 
         leads = symmetry.leader == np.arange(len(nodes) - 1)
-        self._first, self._last = self._first[leads], self._last[leads]
+        self._first, self._last = self.nodes.first[leads], self.nodes.last[leads]
         if still is not None:
             constraints, self._values = self._stay(still, np.repeat(leads, np.diff(nodes)))
         else:
@@ -54,9 +63,26 @@ class Ends:
             self._turn(constraints, symmetry, image)
         self._map = constraints.resolve()
 
-    def held(self, strain: float) -> tuple[ConstraintMap, Floats]:
+    def strain(self, q: Floats, asked: float) -> float:
+        """Strain of the rope in a state for which the steps asked for one."""
+        return asked
+
+    def place(self, q: Floats, strain: float, share: float) -> Floats:
+        """The state with its ends where groups want them, see GroupedEnds: as it is."""
+        return q
+
+    def carry(self, q: Floats, strain: float, share: float) -> Floats:
+        """The state with all yarns moved along with their ends, see GroupedEnds: as it is."""
+        return q
+
+    def held(
+        self, strain: float, share: float = 0.0, at: Floats | None = None
+    ) -> tuple[ConstraintMap, Floats]:
         """Both end sections held, the last one at a rope strain from the state they were held at first.
 
+        Args:
+            strain: Rope strain.
+            share, at: For groups of ends, see GroupedEnds.
         Returns:
             The constraint map and the values of its constraints, mm.
         """

@@ -107,7 +107,7 @@ class Former:
         self._keeps_lengths = keeps_lengths(scene, state)
         if self._keeps_lengths:
             force = state.results["formed_force"] / model.rope.num_yarns
-            model.loads.loads[model.ends.last_axial] = force
+            model.loads.loads[model.ends.nodes.last_axial] = force
 
     @property
     def finished(self) -> bool:

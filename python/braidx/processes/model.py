@@ -22,6 +22,7 @@ from ..system.proximal import ProximalTerm
 from ..system.terms import BodyTerm, LoadTerm, Term
 from ..system.turning import Turning
 from .ends import Ends
+from .grouped_ends import GroupedEnds
 
 
 class RopeModel:
@@ -42,7 +43,7 @@ class RopeModel:
         scene: Scene,
         rope: Rope,
         body: CableBody | BeamBody,
-        ends: Ends,
+        ends: Ends | GroupedEnds,
     ) -> None:
         self.comm, self.scene, self.rope, self.body = comm, scene, rope, body
         self.preload_energy = 0.0
@@ -98,9 +99,19 @@ class RopeModel:
         return float(self.comm.allreduce(energy)) + self.preload_energy
 
     def axial_force(self, q: Floats) -> float:
-        """Force that the far end section is pulled with, N, at the state of the last solve."""
+        """Force that the far end section is pulled with, N, in a state of equilibrium."""
+        return float(self._from_outside(q)[self.ends.nodes.last_axial].sum())
+
+    def axial_moment(self, q: Floats) -> float:
+        """Moment about the axis that the far end section is turned with, N mm, in a state of equilibrium."""
+        # Positions, and directors of beams: forces on these are couples on sections.
+        vectors = self.ends.nodes.last[:, None, None] + np.arange(self.body.block).reshape(-1, 3)
+        return float(np.cross(q[vectors], self._from_outside(q)[vectors])[..., 2].sum())
+
+    def _from_outside(self, q: Floats) -> Floats:
+        """What acts on all unknowns from outside: reactions and loads, shape (num_unknowns,), N."""
         self.system.set_state(q)
-        return float((self.system.residual() + self.loads.loads)[self.ends.last_axial].sum())
+        return self.system.residual() + self.loads.loads
 
 
 def cable_body(

@@ -25,6 +25,7 @@ class Outcome:
         cuts: Times the increment was cut before it converged.
         cost: Newton iterations and linear solves of all attempts.
         snapshot: Name under which the state is kept for pictures, if any.
+        moment: Moment about the axis that the last section is turned with, N mm; None without groups of ends.
     """
 
     state: State
@@ -35,3 +36,4 @@ class Outcome:
     cuts: int = 0
     cost: tuple[int, int] = (0, 0)
     snapshot: str | None = None
+    moment: float | None = None

@@ -3,132 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from ..output.log import LOGGER
 from ..scene import Cycle, Hold, Pull, Settle
-from ..solver.increment import Diverged, Increment, IncrementOptions
-from ..system.constraints import Floats
 from .model import RopeModel
-from .outcome import NotConverged, Outcome
+from .outcome import Outcome
+from .puller import Attempt, Puller
 from .state import State
 
 LANDING = 0.002  # a force is reached when it is missed by less than this fraction
 SETTLED = 0.05  # settled: the force is missed by less than this fraction (at zero force: yarns
 UNSTRETCHED = 1e-6  # would be strained by less than this), and
 REST = 1e-3  # the stabilisation's work in an increment, over the internal energy
-
-
-@dataclass
-class Attempt:
-    """A solved increment and what all its attempts cost."""
-
-    increment: Increment
-    strain: float
-    cuts: int
-    iterations: int
-    linear_solves: int
-
-
-class Puller:
-    """Goes from one rope strain to the next, cutting increments that fail."""
-
-    def __init__(self, model: RopeModel, state: State) -> None:
-        self.model, self.state = model, state
-        self.strain = state.progress.get("strain", 0.0)
-        scene = model.scene
-        self._options = IncrementOptions(
-            penetration=scene.contact.penetration_tolerance * model.rope.radius.min()
-        )
-        self._max_cuts = scene.solver.max_cuts
-        self._stabilise(0)
-
-    def to(self, strain: float) -> Attempt:
-        """Solves for a strain, or for one on the way there if that increment has to be cut.
-
-        Raises:
-            NotConverged: If the smallest increment fails too.
-        """
-        cuts = iterations = solves = 0
-        step = strain - self.strain
-        while True:
-            try:
-                increment = self._increment(self.strain + step)
-            except Diverged as failure:
-                iterations, solves = iterations + failure.iterations, solves + failure.linear_solves
-                cuts += 1
-                LOGGER.warning("increment to strain %.5f cut: %s", self.strain + step, failure)
-                if cuts > self._max_cuts:
-                    raise self._give_up(self.strain + step, failure) from failure
-                step /= 2
-                self._stabilise(cuts)
-                continue
-            self._stabilise(0)
-            self._take(increment, self.strain + step)
-            return Attempt(
-                increment,
-                self.strain,
-                cuts,
-                iterations + increment.iterations,
-                solves + increment.linear_solves,
-            )
-
-    def _stabilise(self, cuts: int) -> None:
-        """Viscosity grows fourfold with every cut: a rope at rest cannot be helped by smaller steps."""
-        solver = self.model.scene.solver
-        factor = 4.0**cuts
-        self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
-
-    def force(self) -> float:
-        """Force on the rope now, N."""
-        return self.model.axial_force(self.state.q)
-
-    def _increment(self, strain: float) -> Increment:
-        model = self.model
-        system = model.system
-        system.constraints, system.constraint_values = model.ends.held(strain)
-        guess = system.expand(system.free_values(self._predict(strain)))
-        return model.incrementer.solve(self.state.q, guess, self._options, self._stiffening(guess))
-
-    def _stiffening(self, guess: Floats) -> float:
-        """Growth of the yarns' mean tension beyond the largest so far, by the guess of the increment's end."""
-        most = self.state.progress.get("tension", 0.0) or self._mean_tension(self.state.q)
-        return max(1.0, self._mean_tension(guess) / most) if most > 0 else 1.0
-
-    def _mean_tension(self, q: Floats) -> float:
-        return float(np.mean(self.model.tension(q)))
-
-    def _predict(self, strain: float) -> Floats:
-        """The state stretched along the axis.
-
-        Not at the rate of the last increment: how yarns slipped then is no guide to how they will.
-        """
-        moved = self.state.q.reshape(self.model.body.num_nodes, -1).copy()
-        moved[:, 2] *= (1.0 + strain) / (1.0 + self.strain)
-        return moved.ravel()
-
-    def _take(self, increment: Increment, strain: float) -> None:
-        self.strain = strain
-        most = self.state.progress.get("tension", 0.0)
-        tension = max(most, self._mean_tension(increment.q))
-        self.state = replace(
-            self.state,
-            q=increment.q,
-            contacts=self.model.contact.arrays(),
-            progress={**self.state.progress, "strain": strain, "tension": tension},
-            stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
-            friction_work=self.state.friction_work + increment.friction_work,
-        )
-
-    def _give_up(self, strain: float, failure: Diverged) -> NotConverged:
-        pairs = ", ".join(f"{a}-{b}" for a, b in self.model.contact.worst_pairs())
-        return NotConverged(
-            f"no equilibrium at rope strain {strain:.6f}: {failure}; deepest contacts between yarns "
-            f"{pairs or 'none'}; try a smaller steps.strain_increment, a higher solver.viscosity, or "
-            "contact.friction below 1"
-        )
 
 
 def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
@@ -141,14 +29,16 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
     near = max(SETTLED * wanted, UNSTRETCHED * parallel)
     puller = Puller(model, state)
     target = state.progress.get("target", puller.strain)
-    while done < step.increments:
-        attempt = puller.to(target)
+    while done < step.increments or not puller.grown(step):
+        # Groups of ends have half of the increments to get where they are wanted.
+        share = puller.next_share(step, (step.increments + 1) // 2 - done)
+        attempt = puller.to(target, share)
         done += 1
         missing = wanted - puller.force()
         target = puller.strain + (missing / parallel if abs(missing) > near else 0.0)
         energy = max(model.internal_energy(puller.state.q), 1e-12)
         rest = attempt.increment.stabilisation_work < REST * energy and target == puller.strain
-        done = step.increments if rest else done
+        done = step.increments if rest and puller.grown(step) else done
         reached = {"settled": done, "target": target}
         puller.state = replace(
             puller.state,
@@ -156,18 +46,22 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
             stabilisation_work=attempt.increment.stabilisation_work,
             progress={**puller.state.progress, **reached},
         )
+        ended = done >= step.increments and puller.grown(step)
         yield _outcome(
-            puller, attempt, done / step.increments, "settled" if done == step.increments else None
+            puller, attempt, min(1.0, done / step.increments), "settled" if ended else None
         )
 
 
 def hold(model: RopeModel, state: State, step: Hold) -> Iterator[Outcome]:
-    """Keeps the strain for a number of increments."""
+    """Keeps the strain for a number of increments, or until groups of ends are where they are wanted."""
     puller = Puller(model, state)
-    for done in range(int(state.progress.get("held", 0)) + 1, step.increments + 1):
-        attempt = puller.to(puller.strain)
+    done = int(state.progress.get("held", 0))
+    while done < step.increments or not puller.grown(step):
+        share = puller.next_share(step, step.increments - done)
+        attempt = puller.to(puller.strain, share)
+        done += 1
         puller.state = replace(puller.state, progress={**puller.state.progress, "held": done})
-        yield _outcome(puller, attempt, done / step.increments)
+        yield _outcome(puller, attempt, min(1.0, done / step.increments))
 
 
 def pull(model: RopeModel, state: State, step: Pull) -> Iterator[Outcome]:
@@ -239,13 +133,15 @@ def _next_size(size: float, attempt: Attempt, nominal: float) -> float:
 def _outcome(
     puller: Puller, attempt: Attempt, share: float, snapshot: str | None = None
 ) -> Outcome:
+    model, state = puller.model, puller.state
     return Outcome(
-        puller.state,
+        state,
         attempt.increment,
         share,
-        puller.strain,
+        model.ends.strain(state.q, puller.strain),
         puller.force(),
         attempt.cuts,
         (attempt.iterations, attempt.linear_solves),
         snapshot,
+        model.axial_moment(state.q) if model.ends.grouped else None,
     )

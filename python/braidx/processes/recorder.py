@@ -107,6 +107,7 @@ class Recorder:
             outcome.cost[1],
             increment.updates,
             outcome.cuts,
+            outcome.moment,
         )
         self._history.append(row)
         self._progress.increment(row, outcome.share)

@@ -16,6 +16,7 @@ from ..output.summary import PhaseCost
 from ..scene import Cycle, Form, Hold, Pull, Scene, Settle, Step
 from . import state as checkpoint
 from .form import form
+from .grouped_ends import check_ends
 from .model import RopeModel
 from .outcome import NotConverged, Outcome
 from .pull import cycle, hold, pull, settle
@@ -48,6 +49,7 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
     """
     comm = MPI.COMM_WORLD
     rope = build_rope(scene)
+    check_ends(scene, rope)
     state = checkpoint.load(folder) if resume else None
     recorder = Recorder(comm, scene, rope, folder, state)
     try:

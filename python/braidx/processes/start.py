@@ -11,8 +11,10 @@ from mpi4py import MPI
 from ..geometry import Rope, Rotations, build_rope, no_rotations, rotation_about_z, rotations
 from ..scene import Form, Scene
 from ..system.constraints import Floats
+from .end_nodes import EndNodes
 from .ends import Ends
 from .form import keeps_lengths
+from .grouped_ends import GroupedEnds
 from .model import RopeModel, beam_body, cable_body, periodic_directors
 from .pitches import JOINT, distance_to_joint
 from .state import CELL, State
@@ -105,19 +107,25 @@ def _symmetry(scene: Scene, rope: Rope) -> Rotations:
     return rotations(rope) if scene.solver.symmetry else no_rotations(rope)
 
 
-def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends:
-    """What is held: the ends of one pitch are alike; then all but the joints between pitches stay; then the ends."""
+def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends | GroupedEnds:
+    """What is held: the ends of one pitch are alike; then all but the joints between pitches stay; then the ends.
+
+    Groups of ends act once the rope is formed; until then the ends are alike. They need not be symmetric, and the
+    rope then is not kept so.
+    """
+    if scene.ends.groups and not state.forms:
+        nodes = EndNodes(body.block, body.layout.curves, state.reference)
+        return GroupedEnds(nodes, scene.ends, rope)
     symmetry = _symmetry(scene, rope)
     pulled = state.forms and keeps_lengths(scene, state)
+    alike = replace(scene.ends, transverse="periodic", groups=())
     if state.model in CELL:
-        alike = replace(scene.ends, transverse="periodic")
         return Ends(body, alike, symmetry, state.q, pulled=pulled)
+    ends = alike if scene.ends.groups else scene.ends
     if state.model == "joints":
         away = distance_to_joint(scene, body.layout.curves) > JOINT * scene.yarn.degree
-        return Ends(body, scene.ends, symmetry, state.q, still=np.repeat(away, 3))
-    return Ends(
-        body, scene.ends, symmetry, state.q if state.forms else state.reference, pulled=pulled
-    )
+        return Ends(body, ends, symmetry, state.q, still=np.repeat(away, 3))
+    return Ends(body, ends, symmetry, state.q if state.forms else state.reference, pulled=pulled)
 
 
 def one_pitch(scene: Scene) -> Rope:

@@ -2,12 +2,12 @@
 
 from braidx.scene.build import scene_from_dict
 from braidx.scene.compare import difference
+from braidx.scene.ends import EndConditions, EndGroup
 from braidx.scene.errors import SceneError
 from braidx.scene.load import load_scene
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
     ContactOptions,
-    EndConditions,
     Expected,
     OutputOptions,
     SolverOptions,
@@ -22,6 +22,7 @@ __all__ = [
     "ContactOptions",
     "Cycle",
     "EndConditions",
+    "EndGroup",
     "Expected",
     "Form",
     "Hold",

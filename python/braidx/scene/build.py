@@ -5,12 +5,12 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, TypeVar
 
+from braidx.scene.ends import EndConditions, EndGroup
 from braidx.scene.errors import SceneError, nearest
 from braidx.scene.fields import Table, in_unit, spec_of
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
     ContactOptions,
-    EndConditions,
     Expected,
     OutputOptions,
     SolverOptions,
@@ -62,6 +62,8 @@ def scene_from_dict(data: dict[str, Any], name: str = "") -> Scene:
         for group, cls in NAMED.items()
     }
     _take_material(tables["yarn"], named["material"])
+    if "groups" in tables.get("ends", {}):
+        tables["ends"]["groups"] = _groups(tables["ends"]["groups"])
     built = {key: table_from_dict(TABLES[key], entries, key) for key, entries in tables.items()}
     arguments: dict[str, Any] = {**built, **named, "steps": _steps(data.get("steps", []))}
     return Scene(**arguments)
@@ -97,6 +99,16 @@ def _steps(data: Any) -> tuple[Step, ...]:
             raise SceneError(f"{where}.kind", f"choose {' or '.join(STEPS)}; {cure}", kind)
         steps.append(table_from_dict(STEPS[kind], entries, where))
     return tuple(steps)
+
+
+def _groups(data: Any) -> tuple[EndGroup, ...]:
+    if not isinstance(data, list):
+        raise SceneError("ends.groups", "write each group as a table [[ends.groups]].", data)
+    names = (f"ends.groups[{i}]" for i in range(len(data)))
+    return tuple(
+        table_from_dict(EndGroup, _entries(group, name), name)
+        for group, name in zip(data, names, strict=False)
+    )
 
 
 def _take_material(yarn: dict[str, Any], materials: dict[str, Any]) -> None:

@@ -49,6 +49,9 @@ def toml_text(value: object) -> str:
         text = "true" if value else "false"
     elif isinstance(value, (list, tuple)):
         text = "[" + ", ".join(toml_text(entry) for entry in value) + "]"
+    elif isinstance(value, dict):
+        text = "{ " + ", ".join(f"{key} = {toml_text(each)}" for key, each in value.items()) + " }"
+        text = text if value else "{}"
     elif isinstance(value, str):
         text = f'"{value}"'
     else:

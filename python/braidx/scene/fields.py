@@ -31,6 +31,7 @@ class Spec:
     pattern: str = ""  # regular expression a text must match
     example: str = ""  # how such a text looks
     shortest: int = 0  # fewest entries of a list
+    keys: tuple[str, ...] = ()  # names that the entries of a table may have; empty: any
 
     def range_text(self) -> str:
         """The range in words, empty where every value is allowed."""
@@ -103,7 +104,8 @@ def convert(value: Any, hint: Any, spec: Spec, key: str) -> Any:
             return None
         if _fits(value, member):
             return _checked(value, member, spec, key)
-    raise SceneError(key, f"wrong type, give a {type_text(hint)}{in_unit(spec)}.", value)
+    entries = f" of {', '.join(spec.keys)}, each {spec.example or 'a number'}" if spec.keys else ""
+    raise SceneError(key, f"wrong type, give a {type_text(hint)}{entries}{in_unit(spec)}.", value)
 
 
 def _fits(value: Any, hint: Any) -> bool:
@@ -128,6 +130,8 @@ def _checked(value: Any, hint: Any, spec: Spec, key: str) -> Any:
             raise SceneError(key, f"too short, give at least {spec.shortest} entries.", value)
         entry = get_args(hint)[0]
         return tuple(_checked(each, entry, spec, f"{key}[{i}]") for i, each in enumerate(value))
+    if spec.keys:
+        return _checked_entries(value, hint, spec, key)
     if hint is float:
         value = float(value)
     if isinstance(value, (int, float)) and not isinstance(value, bool):
@@ -135,6 +139,15 @@ def _checked(value: Any, hint: Any, spec: Spec, key: str) -> Any:
     if isinstance(value, str):
         _check_text(value, spec, key)
     return value
+
+
+def _checked_entries(value: dict[str, Any], hint: Any, spec: Spec, key: str) -> dict[str, Any]:
+    for name in value:
+        if name not in spec.keys:
+            raise SceneError(f"{key}.{name}", f"unknown key; {nearest(name, spec.keys)}")
+    single = dataclasses.replace(spec, keys=())
+    kinds = get_args(hint)[1]
+    return {name: convert(each, kinds, single, f"{key}.{name}") for name, each in value.items()}
 
 
 def _check_range(value: float, spec: Spec, key: str) -> None:

@@ -1,4 +1,4 @@
-"""How a scene is computed: contact, solver, ends of the sample, and what is written."""
+"""How a scene is computed: contact, solver, and what is written."""
 
 from __future__ import annotations
 
@@ -96,27 +96,11 @@ class SolverOptions(Table):
     symmetry: bool = option(
         True,
         doc="Keep the rope symmetric under the rotations about its axis that its recipe is symmetric under: yarns "
-        "follow those that they are images of, and there is that much less to solve; false lets it leave them.",
+        "follow those that they are images of, and there is that much less to solve; false lets it leave them. "
+        "Groups of ends, once they act, do so too.",
     )
     petsc: dict[str, float | int | bool | str] = option(
         {}, doc="Any PETSc options, without the leading dash; they win over the program's own."
-    )
-
-
-@dataclass(frozen=True)
-class EndConditions(Table):
-    """The two end sections of the sample (paper 1, 2.4 and 3.4.3)."""
-
-    table: ClassVar[str] = "ends"
-
-    transverse: str = option(
-        "periodic",
-        choices=("periodic", "fixed", "free"),
-        doc="Across the axis: the two ends of each yarn move alike, stay where they are, or are "
-        "free.",
-    )
-    sections: str = option(
-        "free", choices=("free", "fixed"), doc="Directors of beams at the two ends."
     )
 
 

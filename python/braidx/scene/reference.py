@@ -8,8 +8,9 @@ import re
 from typing import Any, get_args, get_origin
 
 from braidx.scene.build import NAMED, REQUIRED, TABLES
+from braidx.scene.ends import EndGroup
 from braidx.scene.errors import toml_text
-from braidx.scene.fields import Spec, members, spec_of, type_hints, type_text
+from braidx.scene.fields import Spec, Table, members, spec_of, type_hints, type_text
 from braidx.scene.steps import STEPS
 
 INTRODUCTION = """\
@@ -28,6 +29,7 @@ def markdown() -> str:
     parts = [INTRODUCTION]
     for name, cls in TABLES.items():
         parts.append(_section(f"[{name}]", cls))
+    parts.append(_section("[[ends.groups]]", EndGroup))
     for name, cls in NAMED.items():
         parts.append(_section(f"[{name}.NAME]", cls))
     parts.append("## [[steps]]\n\nOne table per step, in order; `kind` says which step it is.\n")
@@ -65,6 +67,8 @@ def _range_text(spec: Spec) -> str:
     choices = [f"`{toml_text(choice)}`" for choice in spec.choices]
     if spec.pattern:
         choices.append(spec.example)
+    if spec.keys:
+        return f"entries {', '.join(f'`{key}`' for key in spec.keys)}: {choices[-1] if choices else 'numbers'}"
     return "; ".join(text for text in (spec.range_text(), ", ".join(choices)) if text)
 
 
@@ -116,7 +120,9 @@ def _type_schema(hint: Any, spec: Spec) -> dict[str, Any]:
         schema: dict[str, Any] = {"type": "array", "items": _type_schema(get_args(hint)[0], inner)}
         return {**schema, "minItems": spec.shortest} if spec.shortest else schema
     if get_origin(hint) is dict:
-        return {"type": "object"}
+        return _entries_schema(hint, spec)
+    if isinstance(hint, type) and issubclass(hint, Table):
+        return _object(hint)
     if hint is bool:
         return {"type": "boolean"}
     if hint is str:
@@ -131,3 +137,14 @@ def _type_schema(hint: Any, spec: Spec) -> dict[str, Any]:
     numbers = [choice for choice in spec.choices if not isinstance(choice, str)]
     found = {key: bound for key, bound in bounds.items() if bound is not None}
     return {**schema, **found, **({"enum": numbers} if numbers else {})}
+
+
+def _entries_schema(hint: Any, spec: Spec) -> dict[str, Any]:
+    """Schema of a table of values, whose names are known if `spec` has keys."""
+    if not spec.keys:
+        return {"type": "object"}
+    single = dataclasses.replace(spec, keys=())
+    kinds = [_type_schema(kind, single) for kind in members(get_args(hint)[1])]
+    value = kinds[0] if len(kinds) == 1 else {"anyOf": kinds}
+    properties = {key: value for key in spec.keys}
+    return {"type": "object", "additionalProperties": False, "properties": properties}

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from braidx.scene.ends import EndConditions
 from braidx.scene.errors import SceneError
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
     ContactOptions,
-    EndConditions,
     Expected,
     OutputOptions,
     SolverOptions,

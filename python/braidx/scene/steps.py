@@ -68,6 +68,11 @@ class Settle(Step):
 
     force: float = option(0.1, unit="kN", minimum=0.0, doc="Force on the rope.")
     increments: int = option(10, minimum=1, doc="Most increments.")
+    ends: float = option(
+        1.0,
+        doc="Share of what [[ends.groups]] prescribe (displacement, rotation, force, moment) that is reached at the "
+        "end of the step, growing evenly from the share before in the first half of the increments.",
+    )
 
 
 @dataclass(frozen=True)
@@ -94,12 +99,17 @@ class Pull(Step):
 
 @dataclass(frozen=True)
 class Hold(Step):
-    """Keep the ends where they are."""
+    """Keep the strain; groups of ends may be moved, turned or loaded meanwhile."""
 
     kind: ClassVar[str] = "hold"
     table: ClassVar[str] = "hold"
 
     increments: int = option(5, minimum=1, doc="Number of increments.")
+    ends: float = option(
+        1.0,
+        doc="Share of what [[ends.groups]] prescribe (displacement, rotation, force, moment) that is reached at the "
+        "end of the step, growing evenly from the share before.",
+    )
 
 
 @dataclass(frozen=True)

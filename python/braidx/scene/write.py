@@ -13,9 +13,13 @@ from braidx.scene.steps import Step
 def to_dict(scene: Scene) -> dict[str, Any]:
     """The scene as nested dictionaries, values that are left out left out."""
 
+    def plain(value: Any) -> Any:
+        nested = isinstance(value, tuple) and value and dataclasses.is_dataclass(value[0])
+        return [entries(each) for each in value] if nested else value
+
     def entries(table: Any) -> dict[str, Any]:
         pairs = ((field.name, getattr(table, field.name)) for field in dataclasses.fields(table))
-        found = {key: value for key, value in pairs if value is not None}
+        found = {key: plain(value) for key, value in pairs if value is not None}
         return {"kind": table.kind, **found} if isinstance(table, Step) else found
 
     tables: dict[str, Any] = {}
@@ -39,8 +43,15 @@ def to_toml(scene: Scene) -> str:
         elif name == "steps":
             blocks += [_block("[[steps]]", step) for step in value]
         else:
-            blocks.append(_block(f"[{name}]", value))
+            nested = {key for key, entry in value.items() if _is_tables(entry)}
+            single = {key: entry for key, entry in value.items() if key not in nested}
+            blocks.append(_block(f"[{name}]", single))
+            blocks += [_block(f"[[{name}.{key}]]", each) for key in nested for each in value[key]]
     return "\n".join(blocks)
+
+
+def _is_tables(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
 
 
 def _block(header: str, entries: dict[str, Any]) -> str:

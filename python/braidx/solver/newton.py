@@ -68,7 +68,6 @@ class Newton:
         self.system = system
         self.options = options
         self.directors = directors
-        self._is_director = directors[system.constraints.free]
         self.symmetric = options.symmetric
         self._residual = system.vector.duplicate()
         self._snes: PETSc.SNES | None = None
@@ -177,7 +176,9 @@ class Newton:
     def _limit_step(self, x: PETSc.Vec, step: PETSc.Vec) -> bool:
         """PETSc subtracts the step: x - step."""
         first, last = step.getOwnershipRange()
-        values, turning = step.array, self._is_director[first:last]
+        # Which unknowns are free may differ from increment to increment.
+        turning = self.directors[self.system.constraints.free[first:last]]
+        values = step.array
         turns = values[turning]
         values[turning] = np.clip(turns, -self.options.max_turn, self.options.max_turn)
         longest = self.system.comm.allreduce(

@@ -87,7 +87,7 @@ class LoadTerm:
     pattern_version = 1
 
     def __init__(self, num_unknowns: int, rank: int = 0) -> None:
-        self.loads = np.zeros(num_unknowns)
+        self.loads: Floats = np.zeros(num_unknowns)
         self._share = 1.0 if rank == 0 else 0.0
         self._none = np.empty(0, dtype=np.int64)
 

@@ -1,0 +1,166 @@
+"""From one rope strain to the next, and from one state of the ends to the next, with increments that may be cut."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..output.log import LOGGER
+from ..scene import Hold, Settle
+from ..solver.increment import Diverged, Increment, IncrementOptions
+from ..system.constraints import Floats
+from .grouped_ends import GroupedEnds
+from .model import RopeModel
+from .outcome import NotConverged
+from .state import State
+
+BENT = 1e-3  # of a yarn radius: distance from rigid that is left to a group of ends
+TURNS = 8  # repetitions of an increment in which bodies turn on
+GROWN = 1e-9  # what groups of ends are to reach is missed by less than this share
+
+
+@dataclass
+class Attempt:
+    """A solved increment and what all its attempts cost."""
+
+    increment: Increment
+    strain: float
+    cuts: int
+    iterations: int
+    linear_solves: int
+
+
+class Puller:
+    """Goes from one rope strain to the next, cutting increments that fail."""
+
+    def __init__(self, model: RopeModel, state: State) -> None:
+        self.model, self.state = model, state
+        self.strain = state.progress.get("strain", 0.0)
+        self.share = state.progress.get("share", 0.0)  # reached of what groups of ends ask for
+        scene = model.scene
+        penetration = scene.contact.penetration_tolerance * model.rope.radius.min()
+        self._options = IncrementOptions(penetration=penetration)
+        self._bent = BENT * model.rope.radius.min()
+        self._max_cuts = scene.solver.max_cuts
+        self._stabilise(0)
+
+    def to(self, strain: float, share: float | None = None) -> Attempt:
+        """Solves for a strain, or for one on the way there if that increment has to be cut.
+
+        Args:
+            strain: Rope strain.
+            share: How much is then reached of what groups of ends ask for; as much as now by default.
+        Raises:
+            NotConverged: If the smallest increment fails too.
+        """
+        cuts = iterations = solves = 0
+        step = strain - self.strain
+        growth = 0.0 if share is None else share - self.share
+        while True:
+            try:
+                increment = self._increment(self.strain + step, self.share + growth)
+            except Diverged as failure:
+                iterations, solves = iterations + failure.iterations, solves + failure.linear_solves
+                cuts += 1
+                LOGGER.warning("increment to strain %.5f cut: %s", self.strain + step, failure)
+                if cuts > self._max_cuts:
+                    raise self._give_up(self.strain + step, failure) from failure
+                step, growth = step / 2, growth / 2
+                self._stabilise(cuts)
+                continue
+            self._stabilise(0)
+            self._take(increment, self.strain + step, self.share + growth)
+            return Attempt(
+                increment,
+                self.strain,
+                cuts,
+                iterations + increment.iterations,
+                solves + increment.linear_solves,
+            )
+
+    def _stabilise(self, cuts: int) -> None:
+        """Viscosity grows fourfold with every cut: a rope at rest cannot be helped by smaller steps."""
+        solver = self.model.scene.solver
+        factor = 4.0**cuts
+        self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
+
+    def force(self) -> float:
+        """Force on the rope now, N."""
+        return self.model.axial_force(self.state.q)
+
+    def grown(self, step: Settle | Hold) -> bool:
+        """Whether groups of ends have reached what the step wants of them."""
+        return not self.model.ends.grouped or abs(step.ends - self.share) < GROWN
+
+    def next_share(self, step: Settle | Hold, increments: int) -> float:
+        """What groups of ends are to reach in the next of so many increments."""
+        left = 0.0 if self.grown(step) else step.ends - self.share
+        return self.share + left / max(increments, 1)
+
+    def _increment(self, strain: float, share: float) -> Increment:
+        before = self.model.contact.elements.copy() if self.model.ends.grouped else None
+        guess, iterations, solves = self._predict(strain, share), 0, 0
+        for _ in range(TURNS + 1):
+            increment = self._solve(guess, strain, share)
+            iterations += increment.iterations
+            solves += increment.linear_solves
+            if self._is_rigid(increment.q):
+                return replace(increment, iterations=iterations, linear_solves=solves)
+            # Bodies turned on from where they were expected: once more, from where they are found.
+            self.model.contact.restore(before)
+            guess = increment.q
+        raise Diverged("a rigid group of ends turns without coming to rest", iterations, solves)
+
+    def _solve(self, guess: Floats, strain: float, share: float) -> Increment:
+        """Equilibrium for small motions of groups of ends from where they are in the guess, or asked to be."""
+        model, ends, system = self.model, self.model.ends, self.model.system
+        placed = ends.place(guess, strain, share)
+        system.constraints, system.constraint_values = ends.held(strain, share, placed)
+        if isinstance(ends, GroupedEnds):
+            model.loads.loads = ends.loads(placed, share)
+        first = system.expand(system.free_values(placed))
+        return model.incrementer.solve(self.state.q, first, self._options, self._stiffening(first))
+
+    def _is_rigid(self, q: Floats) -> bool:
+        ends = self.model.ends
+        return not isinstance(ends, GroupedEnds) or ends.bent(q) < self._bent
+
+    def _stiffening(self, guess: Floats) -> float:
+        """Growth of the yarns' mean tension beyond the largest so far, by the guess of the increment's end."""
+        most = self.state.progress.get("tension", 0.0) or self._mean_tension(self.state.q)
+        return max(1.0, self._mean_tension(guess) / most) if most > 0 else 1.0
+
+    def _mean_tension(self, q: Floats) -> float:
+        return float(np.mean(self.model.tension(q)))
+
+    def _predict(self, strain: float, share: float) -> Floats:
+        """The state stretched along the axis; where groups of ends are moved, each yarn goes along with its ends.
+
+        Not at the rate of the last increment: how yarns slipped then is no guide to how they will.
+        """
+        rows = self.state.q.reshape(self.model.body.num_nodes, -1).copy()
+        rows[:, 2] *= (1.0 + strain) / (1.0 + self.strain)
+        moved: Floats = rows.ravel()
+        return moved if share == self.share else self.model.ends.carry(moved, strain, share)
+
+    def _take(self, increment: Increment, strain: float, share: float) -> None:
+        self.strain, self.share = strain, share
+        most = self.state.progress.get("tension", 0.0)
+        tension = max(most, self._mean_tension(increment.q))
+        self.state = replace(
+            self.state,
+            q=increment.q,
+            contacts=self.model.contact.arrays(),
+            progress={**self.state.progress, "strain": strain, "share": share, "tension": tension},
+            stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
+            friction_work=self.state.friction_work + increment.friction_work,
+        )
+
+    def _give_up(self, strain: float, failure: Diverged) -> NotConverged:
+        pairs = ", ".join(f"{a}-{b}" for a, b in self.model.contact.worst_pairs())
+        return NotConverged(
+            f"no equilibrium at rope strain {strain:.6f}: {failure}; deepest contacts between yarns "
+            f"{pairs or 'none'}; try a smaller steps.strain_increment, a higher solver.viscosity, or "
+            "contact.friction below 1"
+        )
