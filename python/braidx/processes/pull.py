@@ -111,14 +111,14 @@ def _to_force(puller: Puller, target: float, nominal: float, name: str) -> Itera
         before = puller.strain
         attempt = puller.to(before + float(np.clip(wanted, -size, size)))
         change, force = puller.force() - force, puller.force()
-        slope = max(change / (puller.strain - before), 0.0)
+        moved = puller.strain - before
+        slope = max(change / moved, 0.0) if moved else 0.0
         size = _next_size(size, attempt, nominal)
         puller.state = replace(
             puller.state, progress={**puller.state.progress, "size": size, "slope": slope}
         )
-        ended = abs(force - target) < LANDING * abs(target) or sign * (force - target) > 0.05 * abs(
-            target
-        )
+        # Passed by more, it stays so: a rope that slips goes back by another way.
+        ended = sign * (force - target) > -LANDING * abs(target)
         share = 1.0 if ended else (force - first) / (target - first)
         yield _outcome(puller, attempt, share, name if ended else None)
         if ended:
