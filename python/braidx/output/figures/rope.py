@@ -75,7 +75,8 @@ def draw_forming(snapshots: Sequence[Snapshot], path: Path) -> Path:
     axes = panels(page, len(snapshots), 1, sharex=True)
     for ax, snapshot in zip(axes, snapshots):
         shown = tubes(snapshot, list(yarn_colours(snapshot)[:, None]))
-        _side_view(ax, shown, 0.5 * (low + high), length, half)
+        # From the first end: until it is laid end to end the rope is one pitch long.
+        _side_view(ax, shown, low + 0.5 * length, length, half)
         ax.set_title(f"{snapshot.name}: outer diameter {outer_diameter(snapshot):.2f} mm")
     axes[-1].set_xlabel(f"z (mm), {length:.0f} of {high - low:.0f} mm shown")
     return save(page, path)
