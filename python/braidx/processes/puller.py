@@ -15,6 +15,10 @@ from .model import RopeModel
 from .outcome import NotConverged
 from .state import State
 
+FULL = (
+    1e-3  # strain of the yarns, in the mean, from which on the stabilisation is what the scene says
+)
+LEAST = 0.01  # share of it that is left where yarns are slack
 BENT = 1e-3  # of a yarn radius: distance from rigid that is left to a group of ends
 TURNS = 8  # repetitions of an increment in which bodies turn on
 GROWN = 1e-9  # what groups of ends are to reach is missed by less than this share
@@ -43,7 +47,6 @@ class Puller:
         self._options = IncrementOptions(penetration=penetration)
         self._bent = BENT * model.rope.radius.min()
         self._max_cuts = scene.solver.max_cuts
-        self._stabilise(0)
 
     def to(self, strain: float, share: float | None = None) -> Attempt:
         """Solves for a strain, or for one on the way there if that increment has to be cut.
@@ -58,6 +61,7 @@ class Puller:
         step = strain - self.strain
         growth = 0.0 if share is None else share - self.share
         while True:
+            self._stabilise(cuts)
             try:
                 increment = self._increment(self.strain + step, self.share + growth)
             except Diverged as failure:
@@ -67,9 +71,7 @@ class Puller:
                 if cuts > self._max_cuts:
                     raise self._give_up(self.strain + step, failure) from failure
                 step, growth = step / 2, growth / 2
-                self._stabilise(cuts)
                 continue
-            self._stabilise(0)
             self._take(increment, self.strain + step, self.share + growth)
             return Attempt(
                 increment,
@@ -80,9 +82,12 @@ class Puller:
             )
 
     def _stabilise(self, cuts: int) -> None:
-        """Viscosity grows fourfold with every cut: a rope at rest cannot be helped by smaller steps."""
-        solver = self.model.scene.solver
-        factor = 4.0**cuts
+        """Less at small tensions, which it must not outweigh; fourfold with every cut, since smaller steps alone
+        cannot help a rope at rest.
+        """
+        scene = self.model.scene
+        solver, strain = scene.solver, self._mean_tension(self.state.q) / scene.yarn.axial_stiffness
+        factor = 4.0**cuts * min(max(strain / FULL, LEAST), 1.0)
         self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
 
     def force(self) -> float:

@@ -81,14 +81,15 @@ class SolverOptions(Table):
         1.0,
         unit="N/mm",
         minimum=0.0,
-        doc="Stabilisation of node positions, force per mm moved in the increment.",
+        doc="Stabilisation of node positions, force per mm moved in the increment; less in proportion where the mean "
+        "strain of yarns is below 0.1 %.",
     )
     director_viscosity: float = option(
         500.0,
         unit="N mm",
         minimum=0.0,
         doc="Stabilisation of the directors of beams and of the tangents of cables, per radian turned in the "
-        "increment.",
+        "increment; likewise less at small tensions.",
     )
     director_cap: float = option(
         0.3, above=0.0, doc="Largest change of a director in one Newton iteration."
