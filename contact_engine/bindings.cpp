@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
 NB_MAKE_OPAQUE(std::vector<braidx::Tube>)
@@ -17,16 +18,19 @@ using namespace braidx::bindings;
 
 namespace {
 
+/// Other Python threads go on while the engine works on arrays and objects of its own.
+constexpr nb::call_guard<nb::gil_scoped_release> without_gil;
+
 std::vector<Tube> make_tubes(const In<std::int64_t>& first_unknown,
                              const In<std::int32_t>& num_elements, const In<std::int32_t>& degree,
                              const In<std::int32_t>& block, const In<double>& radius,
                              const In<double>& element_length, const In<std::int32_t>& body,
-                             bool smooth) {
+                             const In<bool>& is_image, bool smooth) {
     std::vector<Tube> tubes;
     for (std::size_t i = 0; i < radius.size(); ++i)
         tubes.push_back({first_unknown.data()[i], num_elements.data()[i], degree.data()[i],
                          block.data()[i], radius.data()[i], element_length.data()[i],
-                         body.data()[i], smooth});
+                         body.data()[i], smooth, is_image.data()[i]});
     return tubes;
 }
 
@@ -102,7 +106,8 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("stiffness", &PairingOptions::stiffness)
         .def_rw("keep_side", &PairingOptions::keep_side)
         .def_rw("part", &PairingOptions::part)
-        .def_rw("num_parts", &PairingOptions::num_parts);
+        .def_rw("num_parts", &PairingOptions::num_parts)
+        .def_rw("num_threads", &PairingOptions::num_threads);
     nb::class_<ContactLaws>(m, "ContactLaws")
         .def(nb::init<>())
         .def_rw("regularisation", &ContactLaws::regularisation)
@@ -113,7 +118,7 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("friction", &ContactLaws::friction);
 
     m.def("make_tubes", &make_tubes, "first_unknown"_a, "num_elements"_a, "degree"_a, "block"_a,
-          "radius"_a, "element_length"_a, "body"_a, "smooth"_a);
+          "radius"_a, "element_length"_a, "body"_a, "is_image"_a, "smooth"_a);
     m.def("make_crossings", &make_crossings, "tubes"_a, "windows"_a, "order"_a, "axis"_a);
     m.def(
         "make_contact_elements",
@@ -122,7 +127,7 @@ NB_MODULE(braidx_engine, m) {
            const PairingOptions& options) {
             return make_contact_elements({tubes, crossings, rigid}, view(q), previous, options);
         },
-        "tubes"_a, "crossings"_a, "rigid"_a, "q"_a, "previous"_a, "options"_a);
+        "tubes"_a, "crossings"_a, "rigid"_a, "q"_a, "previous"_a, "options"_a, without_gil);
     m.def(
         "make_plane",
         [](const In<double>& point, const In<double>& normal, int body) {
@@ -162,52 +167,66 @@ NB_MODULE(braidx_engine, m) {
             });
         },
         "options"_a, "tube"_a, "other"_a);
-    m.def("make_pattern", &make_pattern, "tubes"_a, "elements"_a, "reach"_a = 0.0);
-    m.def("place", &place, "pattern"_a, "tubes"_a, "elements"_a);
+    m.def("make_pattern", &make_pattern, "tubes"_a, "elements"_a, "reach"_a = 0.0,
+          "num_threads"_a = 1, without_gil);
+    m.def("place", &place, "pattern"_a, "tubes"_a, "elements"_a, "num_threads"_a = 1, without_gil);
     m.def(
         "add_residual",
         [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q,
-           const In<double>& q_start, const ContactLaws& laws, const InOut<double>& residual) {
-            add_residual(tubes, elements, view(q), view(q_start), laws, view(residual));
+           const In<double>& q_start, const ContactLaws& laws, const InOut<double>& residual,
+           int num_threads) {
+            add_residual(tubes, elements, view(q), view(q_start), laws, view(residual),
+                         num_threads);
         },
-        "tubes"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "residual"_a);
+        "tubes"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "residual"_a, "num_threads"_a = 1,
+        without_gil);
     m.def(
         "add_tangent",
         [](const std::vector<Tube>& tubes, const ContactElements& elements, const Pattern& pattern,
            const In<double>& q, const In<double>& q_start, const ContactLaws& laws, bool symmetric,
-           const InOut<double>& values) {
+           const InOut<double>& values, int num_threads) {
             add_tangent(tubes, elements, pattern, view(q), view(q_start), laws,
                         symmetric ? FrictionTangent::symmetric : FrictionTangent::consistent,
-                        view(values));
+                        view(values), num_threads);
         },
         "tubes"_a, "elements"_a, "pattern"_a, "q"_a, "q_start"_a, "laws"_a, "symmetric"_a,
-        "values"_a);
+        "values"_a, "num_threads"_a = 1, without_gil);
     m.def(
         "commit",
         [](const std::vector<Tube>& tubes, ContactElements& elements, const In<double>& q,
-           const In<double>& q_start, const ContactLaws& laws) {
-            const auto done = commit(tubes, elements, view(q), view(q_start), laws);
-            return nb::make_tuple(done.work, done.penetration);
+           const In<double>& q_start, const ContactLaws& laws, int num_threads) {
+            const auto done = commit(tubes, elements, view(q), view(q_start), laws, num_threads);
+            return std::pair(done.work, done.penetration);
         },
-        "tubes"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a);
+        "tubes"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "num_threads"_a = 1, without_gil);
     m.def(
         "adapt_stiffness",
         [](const std::vector<Tube>& tubes, ContactElements& elements, const In<double>& q,
-           double tolerance, double growth, double elsewhere) {
-            return adapt_stiffness(tubes, elements, view(q), tolerance, growth, elsewhere);
+           double tolerance, double growth, double elsewhere, int num_threads) {
+            return adapt_stiffness(tubes, elements, view(q), tolerance, growth, elsewhere,
+                                   num_threads);
         },
-        "tubes"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a, "elsewhere"_a = 0.0);
+        "tubes"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a, "elsewhere"_a = 0.0,
+        "num_threads"_a = 1, without_gil);
     m.def(
         "deepest_penetration",
-        [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q) {
-            return deepest_penetration(tubes, elements, view(q));
+        [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q,
+           int num_threads) { return deepest_penetration(tubes, elements, view(q), num_threads); },
+        "tubes"_a, "elements"_a, "q"_a, "num_threads"_a = 1, without_gil);
+    m.def(
+        "sum_normal_forces",
+        [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q,
+           const In<double>& q_start, const ContactLaws& laws, int num_threads) {
+            const auto sums =
+                sum_normal_forces(tubes, elements, view(q), view(q_start), laws, num_threads);
+            return std::pair(sums.rigid, sums.all);
         },
-        "tubes"_a, "elements"_a, "q"_a);
+        "tubes"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "num_threads"_a = 1, without_gil);
     m.def("freeze_sections", &freeze_sections, "elements"_a);
     m.def("sum_log_stiffness", &sum_log_stiffness, "elements"_a);
     m.def("scale_stiffness", &scale_stiffness, "elements"_a, "factor"_a);
     m.def("contact_results", &contact_results, "tubes"_a, "elements"_a, "q"_a, "q_start"_a,
-          "laws"_a);
+          "laws"_a, "num_threads"_a = 1);
     m.def("crossing_heights", &heights, "tubes"_a, "crossings"_a, "q"_a);
     m.def(
         "close_pairs",

@@ -1,5 +1,7 @@
 #include "assemble.h"
 
+#include "../parallel.h"
+#include "asked.h"
 #include "sliding.h"
 
 #include <optional>
@@ -42,56 +44,85 @@ void add(std::span<double> values, std::int32_t slot, const Mat3& block) {
 
 /// Adds the curvature of half widths: R_N share (second derivative). Directors are among the
 /// unknowns of the element's own sections.
-void add_half_widths(const Reaction& r, const std::int32_t* slot, std::span<double> values) {
+void add_half_widths(const Reaction& r, const Rows& rows, const std::int32_t* slot,
+                     std::span<double> values) {
     const auto& s = r.system;
-    for (int k = 0; k < s.num_sections; ++k)
+    for (int k = 0; k < s.num_sections; ++k) {
+        const auto& section = s.sections[k];
+        if (!rows.contains(section.director[0]))
+            continue;
         for (int a = 0; a < 2; ++a)
-            for (int b = 0; b < 2; ++b) {
-                const auto& section = s.sections[k];
-                add(values, slot[section.director[a] * s.count_frozen + section.director[b]],
+            for (int b = 0; b < 2; ++b)
+                add(values,
+                    slot[(section.director[a] - rows.begin) * s.count_frozen + section.director[b]],
                     r.normal_force * section.share * section.half_width.hessian[a][b]);
-            }
+    }
+}
+
+/// Lets threads call add(i, sums) for every i of [0, count): the first one with the sums
+/// themselves, the others with sums of their own, which are added in the end.
+template <class Add>
+void add_all(std::size_t count, int num_threads, std::span<double> sums, const Add& add) {
+    std::vector<std::vector<double>> others(static_cast<std::size_t>(std::max(num_threads, 1)));
+    parallel_chunks(count, num_threads, [&](std::size_t chunk, std::size_t i, std::size_t end) {
+        if (chunk > 0)
+            others[chunk].resize(sums.size());
+        for (const auto mine = chunk > 0 ? std::span(others[chunk]) : sums; i < end; ++i)
+            add(i, mine);
+    });
+    parallel_chunks(sums.size(), num_threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (const auto& other : others)
+            for (std::size_t i = begin; i < std::min(end, other.size()); ++i)
+                sums[i] += other[i];
+    });
 }
 
 } // namespace
 
 void add_residual(const std::vector<Tube>& tubes, const ContactElements& elements, Unknowns q,
-                  Unknowns q_start, const ContactLaws& laws, std::span<double> residual) {
-    for (const auto& element : elements) {
-        const Reaction r = reaction(tubes, element, q, q_start, laws);
+                  Unknowns q_start, const ContactLaws& laws, std::span<double> residual,
+                  int num_threads) {
+    const auto asked = asked_elements(tubes, elements);
+    add_all(asked.size(), num_threads, residual, [&](std::size_t k, std::span<double> sums) {
+        const Reaction r = reaction(tubes, elements[asked[k]], q, q_start, laws);
         if (!r.acts())
-            continue;
+            return;
         const auto& s = r.system;
         for (int i = 0; i < s.count; ++i)
-            Eigen::Map<Vec3>(residual.data() + s.unknown[i]) +=
+            Eigen::Map<Vec3>(sums.data() + s.unknown[i]) +=
                 s.slip_weight[i] * r.friction_force - r.normal_force * s.gap_weight[i];
-    }
+    });
 }
 
 void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements,
                  const Pattern& pattern, Unknowns q, Unknowns q_start, const ContactLaws& laws,
-                 FrictionTangent tangent, std::span<double> values) {
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-        const Reaction r = reaction(tubes, elements[e], q, q_start, laws);
+                 FrictionTangent tangent, std::span<double> values, int num_threads) {
+    const auto asked = asked_elements(tubes, elements);
+    add_all(asked.size(), num_threads, values, [&](std::size_t k, std::span<double> sums) {
+        const auto& element = elements[asked[k]];
+        const Reaction r = reaction(tubes, element, q, q_start, laws);
         if (!r.acts())
-            continue;
+            return;
         const auto& system = r.system;
-        const auto friction = friction_gradient(r, elements[e].normal, tangent);
+        const auto friction = friction_gradient(r, element.normal, tangent);
         std::optional<Sliding> sliding;
         if (laws.sliding && system.facing.distance > 0)
-            sliding.emplace(tubes, elements[e], q, system);
+            sliding.emplace(tubes, element, q, system);
         // Unknowns that came in as sections moved on have no place in the pattern yet: Newton does
         // without.
-        const std::int32_t* slot = pattern.slot.data() + pattern.first_slot[e];
-        for (int i = 0; i < system.count_frozen; ++i)
+        const Rows rows =
+            asked_rows(tubes, element.tube_a, element.tube_b, system.count_a, system.count_frozen);
+        const std::int32_t* const slots = pattern.slot.data() + pattern.first_slot[asked[k]];
+        const std::int32_t* slot = slots;
+        for (int i = rows.begin; i < rows.end; ++i)
             for (int j = 0; j < system.count_frozen; ++j) {
                 Mat3 part = block(r, friction, i, j);
                 if (sliding)
                     part -= r.normal_force * sliding->block(i, j);
-                add(values, *slot++, part);
+                add(sums, *slot++, part);
             }
-        add_half_widths(r, pattern.slot.data() + pattern.first_slot[e], values);
-    }
+        add_half_widths(r, rows, slots, sums);
+    });
 }
 
 } // namespace braidx

@@ -89,9 +89,13 @@ LocalSystem system_at(const std::vector<Tube>& tubes, const ContactElement& e, U
 
 } // namespace
 
+int LocalSystem::find(std::int64_t number) const {
+    return static_cast<int>(std::find(unknown.begin(), unknown.begin() + count, number) -
+                            unknown.begin());
+}
+
 int LocalSystem::index_of(std::int64_t number, bool belongs_to_b) {
-    const auto* found = std::find(unknown.begin(), unknown.begin() + count, number);
-    const int index = static_cast<int>(found - unknown.begin());
+    const int index = find(number);
     if (index == count) {
         unknown[index] = number;
         of_b[index] = belongs_to_b;

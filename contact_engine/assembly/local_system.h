@@ -42,6 +42,9 @@ struct LocalSystem {
     Facing facing;                  ///< where the sections are, and the normal that follows
     Vec3 own_normal;                ///< of the element when it was made
 
+    /// Index of a vector unknown; `count` if it is not among them.
+    int find(std::int64_t number) const;
+
     /// Index of a vector unknown, which is added if it is new.
     int index_of(std::int64_t number, bool belongs_to_b);
 };

@@ -1,28 +1,50 @@
 #include "memory.h"
 
+#include "../parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
 namespace braidx {
 
-Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
+namespace {
+
+/// What happens to one contact element.
+Committed commit(const std::vector<Tube>& tubes, ContactElement& element, Unknowns q,
                  Unknowns q_start, const ContactLaws& laws) {
+    const Reaction r = reaction(tubes, element, q, q_start, laws);
+    Committed out{0, std::max(0.0, -r.system.gap)};
+    if (!r.acts()) {
+        element.slip.setZero();
+        return out;
+    }
+    if (r.friction.coefficient <= 0)
+        return out;
+    const Vec3 remembered = r.friction.remembered(r.slip);
+    out.work = r.friction_force.dot(r.slip - remembered);
+    element.work += out.work;
+    element.slip = remembered;
+    return out;
+}
+
+std::vector<double> gaps(const std::vector<Tube>& tubes, const ContactElements& elements,
+                         Unknowns q, int num_threads) {
+    return parallel_map(elements.size(), num_threads,
+                        [&](std::size_t e) { return local_system(tubes, elements[e], q).gap; });
+}
+
+} // namespace
+
+Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
+                 Unknowns q_start, const ContactLaws& laws, int num_threads) {
+    const auto each = parallel_map(elements.size(), num_threads, [&](std::size_t e) {
+        return commit(tubes, elements[e], q, q_start, laws);
+    });
     Committed out;
-    for (auto& element : elements) {
-        const Reaction r = reaction(tubes, element, q, q_start, laws);
-        out.penetration = std::max(out.penetration, -r.system.gap);
-        if (!r.acts()) {
-            element.slip.setZero();
-            continue;
-        }
-        if (r.friction.coefficient <= 0)
-            continue;
-        const Vec3 remembered = r.friction.remembered(r.slip);
-        const double work = r.friction_force.dot(r.slip - remembered);
-        element.work += work;
-        out.work += work;
-        element.slip = remembered;
+    for (const auto& one : each) {
+        out.work += one.work;
+        out.penetration = std::max(out.penetration, one.penetration);
     }
     return out;
 }
@@ -38,11 +60,12 @@ constexpr double soon = 0.6;
 } // namespace
 
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
-                    double tolerance, double growth, double elsewhere) {
+                    double tolerance, double growth, double elsewhere, int num_threads) {
+    const auto gap = gaps(tubes, elements, q, num_threads);
     std::unordered_map<std::int32_t, double> deepest;
-    for (const auto& e : elements) {
-        auto& d = deepest[e.zone];
-        d = std::max(d, -local_system(tubes, e, q).gap);
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        auto& d = deepest[elements[e].zone];
+        d = std::max(d, -gap[e]);
     }
     const auto count = [&](double limit) {
         return static_cast<int>(
@@ -57,11 +80,26 @@ int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, U
 }
 
 double deepest_penetration(const std::vector<Tube>& tubes, const ContactElements& elements,
-                           Unknowns q) {
+                           Unknowns q, int num_threads) {
     double deepest = 0;
-    for (const auto& e : elements)
-        deepest = std::max(deepest, -local_system(tubes, e, q).gap);
+    for (const double gap : gaps(tubes, elements, q, num_threads))
+        deepest = std::max(deepest, -gap);
     return deepest;
+}
+
+NormalForces sum_normal_forces(const std::vector<Tube>& tubes, const ContactElements& elements,
+                               Unknowns q, Unknowns q_start, const ContactLaws& laws,
+                               int num_threads) {
+    const auto force = parallel_map(elements.size(), num_threads, [&](std::size_t e) {
+        return reaction(tubes, elements[e], q, q_start, laws).normal_force;
+    });
+    NormalForces out;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        out.all += force[e];
+        if (against_rigid(elements[e]))
+            out.rigid += force[e];
+    }
+    return out;
 }
 
 double sum_log_stiffness(const ContactElements& elements) {

@@ -12,17 +12,26 @@ struct Committed {
 /// Accepts an increment: contact elements remember their reversible slip, and the work dissipated
 /// grows by R_T . (slip - remembered slip). Elements out of touch forget their slip.
 Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
-                 Unknowns q_start, const ContactLaws& laws);
+                 Unknowns q_start, const ContactLaws& laws, int num_threads = 1);
 
 /// Where a proximity zone penetrates deeper than `tolerance` (mm), penalties of all that do, or are
 /// about to, grow so that they will not, by `growth` at most. Returns the number of zones changed.
 /// `elsewhere`: deepest penetration of other processes, which count like one's own.
 int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
-                    double tolerance, double growth, double elsewhere = 0);
+                    double tolerance, double growth, double elsewhere = 0, int num_threads = 1);
 
 /// Deepest penetration, mm, at least 0.
 double deepest_penetration(const std::vector<Tube>& tubes, const ContactElements& elements,
-                           Unknowns q);
+                           Unknowns q, int num_threads = 1);
+
+/// Sums of normal forces, N.
+struct NormalForces {
+    double rigid = 0; ///< on rigid surfaces
+    double all = 0;
+};
+NormalForces sum_normal_forces(const std::vector<Tube>& tubes, const ContactElements& elements,
+                               Unknowns q, Unknowns q_start, const ContactLaws& laws,
+                               int num_threads = 1);
 
 /// Sum of the logarithms of all penalties: with their number, the geometric mean.
 double sum_log_stiffness(const ContactElements& elements);

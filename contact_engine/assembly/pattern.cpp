@@ -1,125 +1,164 @@
 #include "pattern.h"
 
+#include "../parallel.h"
+#include "asked.h"
 #include "local_system.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <compare>
 
 namespace braidx {
 namespace {
 
-using Unknown = std::array<std::int64_t, LocalSystem::capacity>;
+using Keys = std::vector<std::uint64_t>;
 
-/// Vector unknowns of a contact element, in the order of local_system.
-int vector_unknowns(const std::vector<Tube>& tubes, const ContactElement& element,
-                    Unknown& unknown) {
+/// The finite elements that a contact element stands on: its vector unknowns depend on nothing
+/// else.
+struct Group {
+    std::int32_t tube_a, element_a;
+    std::int32_t tube_b = -1, element_b = 0; ///< -1: rigid surfaces are all alike
+    auto operator<=>(const Group&) const = default;
+};
+
+/// Group of a contact element whose sections are moved by some elements, within the tubes.
+Group group_of(const std::vector<Tube>& tubes, const ContactElement& e, double by_a = 0,
+               double by_b = 0) {
+    Group out{e.tube_a, tubes[e.tube_a].element_of(e.s_a + by_a)};
+    if (!against_rigid(e)) {
+        out.tube_b = e.tube_b;
+        out.element_b = tubes[e.tube_b].element_of(e.s_b + by_b);
+    }
+    return out;
+}
+
+/// Vector unknowns of a group, in the order of local_system, and the rows that are asked for.
+struct GroupUnknowns {
+    std::array<std::int64_t, LocalSystem::capacity> number;
     int count = 0;
-    const auto add_side = [&](const Tube& tube, double s) {
-        const Support centre = contact_support(tube, s);
+    Rows rows;
+
+    GroupUnknowns(const std::vector<Tube>& tubes, const Group& group) {
+        add_side(tubes[group.tube_a], group.element_a);
+        const int count_a = count;
+        if (group.tube_b >= 0)
+            add_side(tubes[group.tube_b], group.element_b);
+        rows = asked_rows(tubes, group.tube_a, group.tube_b, count_a, count);
+    }
+
+    std::size_t num_blocks() const {
+        return static_cast<std::size_t>(rows.end - rows.begin) * static_cast<std::size_t>(count);
+    }
+
+    /// Calls visit(key) for each block, row by row.
+    template <class Visit> void for_each_block(const Visit& visit) const {
+        for (int i = rows.begin; i < rows.end; ++i)
+            for (int j = 0; j < count; ++j)
+                visit(std::uint64_t(number[i] / 3) << 32 | std::uint64_t(number[j] / 3));
+    }
+
+private:
+    void add_side(const Tube& tube, std::int32_t element) {
+        const Support centre = contact_support(tube, element);
         for (int i = 0; i < centre.count; ++i)
-            unknown[count++] = tube.unknown_of(centre.node[i]);
+            number[count++] = tube.unknown_of(centre.node[i]);
         if (!tube.has_directors())
             return;
-        const Support section = element_support(tube, s);
+        const Support section = element_support(tube, element);
         for (int which = 1; which <= 2; ++which)
             for (int i = 0; i < section.count; ++i)
-                unknown[count++] = tube.unknown_of(section.node[i]) + 3 * which;
-    };
-    add_side(tubes[element.tube_a], element.s_a);
-    if (!against_rigid(element))
-        add_side(tubes[element.tube_b], element.s_b);
-    return count;
-}
-
-/// Identifies a block by its row and column, in vector unknowns.
-std::uint64_t block_key(std::int64_t row, std::int64_t col) {
-    return std::uint64_t(row / 3) << 32 | std::uint64_t(col / 3);
-}
-
-/// Calls visit(unknowns, count, fresh) for each contact element; fresh: not those of the one
-/// before.
-template <class Visit>
-void for_each_group(const std::vector<Tube>& tubes, const ContactElements& elements,
-                    const Visit& visit) {
-    Unknown current{}, last{};
-    int last_count = -1;
-    for (const auto& element : elements) {
-        const int count = vector_unknowns(tubes, element, current);
-        const bool fresh = count != last_count ||
-                           !std::equal(current.begin(), current.begin() + count, last.begin());
-        visit(current, count, fresh);
-        last = current;
-        last_count = count;
+                number[count++] = tube.unknown_of(section.node[i]) + 3 * which;
     }
+};
+
+template <class T> void sort_unique(std::vector<T>& items) {
+    std::ranges::sort(items);
+    items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-void add_keys(std::vector<std::uint64_t>& keys, const std::vector<Tube>& tubes,
-              const ContactElements& elements) {
-    for_each_group(tubes, elements, [&](const Unknown& unknown, int count, bool fresh) {
-        if (!fresh)
-            return;
-        for (int i = 0; i < count; ++i)
-            for (int j = 0; j < count; ++j)
-                keys.push_back(block_key(unknown[i], unknown[j]));
+/// All groups that contact elements belong to, and those within reach of their sections.
+std::vector<Group> groups_within(const std::vector<Tube>& tubes, const ContactElements& elements,
+                                 double reach) {
+    std::vector<Group> out;
+    const auto add = [&](const Group& group) {
+        if (out.empty() || out.back() != group)
+            out.push_back(group);
+    };
+    for (const auto e : asked_elements(tubes, elements))
+        add(group_of(tubes, elements[e]));
+    if (reach > 0)
+        for (const double by_a : {-reach, reach})
+            for (const double by_b : {-reach, reach})
+                for (const auto e : asked_elements(tubes, elements))
+                    add(group_of(tubes, elements[e], by_a, by_b));
+    sort_unique(out);
+    return out;
+}
+
+/// Keys of all blocks of groups, ascending.
+Keys keys_of(const std::vector<Tube>& tubes, const std::vector<Group>& groups, int num_threads) {
+    std::vector<Keys> parts(static_cast<std::size_t>(std::max(num_threads, 1)));
+    parallel_chunks(groups.size(), num_threads, [&](std::size_t chunk, auto begin, auto end) {
+        for (auto g = begin; g < end; ++g)
+            GroupUnknowns(tubes, groups[g]).for_each_block([&](std::uint64_t key) {
+                parts[chunk].push_back(key);
+            });
+        sort_unique(parts[chunk]);
     });
-}
-
-void sort_unique(std::vector<std::uint64_t>& keys) {
-    std::ranges::sort(keys);
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-}
-
-ContactElements moved(const std::vector<Tube>& tubes, ContactElements elements, double by_a,
-                      double by_b) {
-    const auto within = [](const Tube& tube, double s) {
-        return std::clamp(s, 0.0, double(tube.num_elements));
-    };
-    for (auto& e : elements) {
-        e.s_a = within(tubes[e.tube_a], e.s_a + by_a);
-        if (!against_rigid(e))
-            e.s_b = within(tubes[e.tube_b], e.s_b + by_b);
+    Keys out = std::move(parts[0]);
+    for (std::size_t chunk = 1; chunk < parts.size(); ++chunk) {
+        Keys both;
+        std::ranges::set_union(out, parts[chunk], std::back_inserter(both));
+        out = std::move(both);
     }
-    return elements;
+    return out;
 }
 
 } // namespace
 
-Pattern make_pattern(const std::vector<Tube>& tubes, const ContactElements& elements,
-                     double reach) {
+Pattern make_pattern(const std::vector<Tube>& tubes, const ContactElements& elements, double reach,
+                     int num_threads) {
     Pattern out;
-    add_keys(out.key, tubes, elements);
-    if (reach > 0)
-        for (const double by_a : {-reach, reach})
-            for (const double by_b : {-reach, reach}) {
-                sort_unique(out.key);
-                add_keys(out.key, tubes, moved(tubes, elements, by_a, by_b));
-            }
-    sort_unique(out.key);
+    out.key = keys_of(tubes, groups_within(tubes, elements, reach), num_threads);
     for (const auto key : out.key) {
         out.row.push_back(3 * static_cast<std::int64_t>(key >> 32));
         out.col.push_back(3 * static_cast<std::int64_t>(key & 0xffffffffu));
     }
-    place(out, tubes, elements);
+    place(out, tubes, elements, num_threads);
     return out;
 }
 
-bool place(Pattern& pattern, const std::vector<Tube>& tubes, const ContactElements& elements) {
-    pattern.slot.clear();
-    pattern.first_slot.clear();
-    bool complete = true;
-    std::size_t begin = 0;
-    for_each_group(tubes, elements, [&](const Unknown& unknown, int count, bool fresh) {
-        if (fresh) {
-            begin = pattern.slot.size();
-            for (int i = 0; i < count && complete; ++i)
-                for (int j = 0; j < count; ++j) {
-                    const auto key = block_key(unknown[i], unknown[j]);
-                    const auto at = std::ranges::lower_bound(pattern.key, key);
-                    complete = complete && at != pattern.key.end() && *at == key;
-                    pattern.slot.push_back(static_cast<std::int32_t>(at - pattern.key.begin()));
-                }
+bool place(Pattern& pattern, const std::vector<Tube>& tubes, const ContactElements& elements,
+           int num_threads) {
+    std::vector<Group> groups;
+    std::vector<std::int64_t> begin;
+    std::int64_t size = 0;
+    pattern.first_slot.assign(elements.size(), -1);
+    for (const auto e : asked_elements(tubes, elements)) {
+        const auto group = group_of(tubes, elements[e]);
+        if (groups.empty() || group != groups.back()) {
+            groups.push_back(group);
+            begin.push_back(size);
+            size += GroupUnknowns(tubes, group).num_blocks();
         }
-        pattern.first_slot.push_back(static_cast<std::int64_t>(begin));
+        pattern.first_slot[e] = begin.back();
+    }
+    pattern.slot.resize(size);
+    std::atomic<bool> complete = true;
+    parallel_chunks(groups.size(), num_threads, [&](std::size_t, auto first, auto last) {
+        for (auto g = first; g < last && complete; ++g) {
+            auto* slot = pattern.slot.data() + begin[g];
+            auto at = pattern.key.begin();
+            GroupUnknowns(tubes, groups[g]).for_each_block([&](std::uint64_t key) {
+                // Nodes of a tube follow each other, and so do their blocks: often it is the next.
+                if (at == pattern.key.end() || ++at == pattern.key.end() || *at != key)
+                    at = std::ranges::lower_bound(pattern.key, key);
+                if (at == pattern.key.end() || *at != key)
+                    complete = false;
+                *slot++ = static_cast<std::int32_t>(at - pattern.key.begin());
+            });
+        }
     });
     return complete;
 }

@@ -6,12 +6,13 @@
 
 namespace braidx {
 
-/// Unique 3x3 blocks of the contact tangent, and where each contact element adds to them.
+/// Unique 3x3 blocks of the contact tangent, and where each contact element adds to them. Rows of
+/// images (Tube) have none.
 struct Pattern {
-    std::vector<std::int64_t> row, col; ///< engine numbers of the first unknowns of each block
-    std::vector<std::uint64_t> key;     ///< of each block, ascending: see block_key
-    std::vector<std::int32_t>
-        slot; ///< block of every pair of vector unknowns, groups one after another
+    std::vector<std::int64_t> row, col;   ///< engine numbers of the first unknowns of each block
+    std::vector<std::uint64_t> key;       ///< of each block, ascending: see block_key
+    std::vector<std::int32_t> slot;       ///< block of every pair of an asked row and a column, by
+                                          ///< groups of contact elements, one after another
     std::vector<std::int64_t> first_slot; ///< per contact element: where its group begins in `slot`
 };
 
@@ -22,10 +23,11 @@ struct Pattern {
 /// hold when contact elements have moved a little, and a matrix with its symbolic factorisation can
 /// be kept.
 Pattern make_pattern(const std::vector<Tube>& tubes, const ContactElements& elements,
-                     double reach = 0);
+                     double reach = 0, int num_threads = 1);
 
 /// Finds the places of other contact elements in a pattern. Returns false, and leaves it unfit for
 /// use, where it lacks blocks that they need.
-bool place(Pattern& pattern, const std::vector<Tube>& tubes, const ContactElements& elements);
+bool place(Pattern& pattern, const std::vector<Tube>& tubes, const ContactElements& elements,
+           int num_threads = 1);
 
 } // namespace braidx

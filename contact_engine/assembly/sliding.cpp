@@ -6,11 +6,11 @@ namespace braidx {
 namespace {
 
 /// Adds weights and slopes (per mm) of a side's centre line to the places of its unknowns.
-void add_side(const Tube& tube, double s, double sign, LocalSystem system,
+void add_side(const Tube& tube, double s, double sign, const LocalSystem& system,
               LocalSystem::Weights& centre, LocalSystem::Weights& slope) {
     const Support support = contact_support(tube, s);
     for (int i = 0; i < support.count; ++i) {
-        const int at = system.index_of(tube.unknown_of(support.node[i]), sign > 0);
+        const int at = system.find(tube.unknown_of(support.node[i]));
         centre[at] = sign * support.weight[i];
         slope[at] = support.slope[i] / tube.element_length;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../assembly/reaction.h"
+#include "../parallel.h"
 #include "arrays.h"
 
 /// Contact elements as a dictionary of arrays and back, and their results.
@@ -85,34 +86,37 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
 
 inline nb::dict contact_results(const std::vector<Tube>& tubes, const ContactElements& elements,
                                 const In<double>& q, const In<double>& q_start,
-                                const ContactLaws& laws) {
+                                const ContactLaws& laws, int num_threads) {
+    struct Result {
+        double gap, normal_force;
+        Vec3 friction_force, position;
+    };
     const auto n = elements.size();
-    std::vector<Reaction> reactions;
-    for (const auto& e : elements)
-        reactions.push_back(reaction(tubes, e, view(q), view(q_start), laws));
-    nb::dict out;
-    const auto scalar = [&](const auto& get) {
+    const auto results = parallel_map(n, num_threads, [&](std::size_t i) -> Result {
+        const auto& e = elements[i];
+        const Reaction r = reaction(tubes, e, view(q), view(q_start), laws);
+        const Vec3 x = against_rigid(e) ? e.wall
+                                        : 0.5 * (position(tubes[e.tube_a], view(q), e.s_a) +
+                                                 position(tubes[e.tube_b], view(q), e.s_b));
+        return {r.system.gap, r.normal_force, r.friction_force, x};
+    });
+    const auto scalar = [&](double Result::* member) {
         return make_array<double>({n}, [&](double* p) {
-            for (const auto& r : reactions)
-                *p++ = get(r);
+            for (const auto& result : results)
+                *p++ = result.*member;
         });
     };
-    const auto vector = [&](const auto& get) {
+    const auto vector = [&](Vec3 Result::* member) {
         return make_array<double>({n, 3}, [&](double* p) {
             for (std::size_t i = 0; i < n; ++i)
-                Eigen::Map<Vec3>(p + 3 * i) = get(i);
+                Eigen::Map<Vec3>(p + 3 * i) = results[i].*member;
         });
     };
-    out["gap"] = scalar([](const Reaction& r) { return r.system.gap; });
-    out["normal_force"] = scalar([](const Reaction& r) { return r.normal_force; });
-    out["friction_force"] = vector([&](std::size_t i) { return reactions[i].friction_force; });
-    out["position"] = vector([&](std::size_t i) -> Vec3 {
-        const auto& e = elements[i];
-        if (against_rigid(e))
-            return e.wall;
-        return 0.5 * (position(tubes[e.tube_a], view(q), e.s_a) +
-                      position(tubes[e.tube_b], view(q), e.s_b));
-    });
+    nb::dict out;
+    out["gap"] = scalar(&Result::gap);
+    out["normal_force"] = scalar(&Result::normal_force);
+    out["friction_force"] = vector(&Result::friction_force);
+    out["position"] = vector(&Result::position);
     return out;
 }
 

@@ -98,26 +98,31 @@ std::vector<Station> stations_along(const std::vector<Tube>& tubes, Unknowns q, 
 std::vector<OrientedStation> crossing_stations(const std::vector<Tube>& tubes, Unknowns q,
                                                const Crossing& crossing, double spacing,
                                                const CrossingOptions& options) {
+    const auto pair = seen_along_normal(tubes, q, crossing, middle_a(crossing), middle_b(crossing));
+    const double touch = pair.a.radius + pair.b.radius;
+    const auto beside = [&](const OrientedStation& s) {
+        return s.allowance > touch * (1 - std::sqrt(1 - options.lateral * options.lateral));
+    };
+    const auto separated = [&](const OrientedStation& s) {
+        return pair.across(s.station).dot(s.normal) > options.separation * (touch - s.allowance);
+    };
     const auto point = point_where_they_cross(tubes, q, crossing, spacing);
-    if (options.by_point && !point)
-        return {};
+    if (options.by_point) {
+        if (!point)
+            return {};
+        // Most crossings are separated most of the time: they need no look at the other stations.
+        const auto at_point = orient(pair, crossing, *point);
+        if (beside(at_point) || separated(at_point))
+            return {};
+    }
     auto stations = stations_along(tubes, q, crossing, spacing);
     if (point)
         stations.push_back(*point);
-    const auto pair = seen_along_normal(tubes, q, crossing, middle_a(crossing), middle_b(crossing));
-    const double touch = pair.a.radius + pair.b.radius;
     std::vector<OrientedStation> out;
-    bool separated = true;
-    for (const auto& s : stations) {
-        const auto oriented = orient(pair, crossing, s);
-        if (oriented.allowance > touch * (1 - std::sqrt(1 - options.lateral * options.lateral)))
-            continue;
-        out.push_back(oriented);
-        if (!options.by_point || s.index == point_station)
-            separated &= pair.across(s).dot(oriented.normal) >
-                         options.separation * (touch - oriented.allowance);
-    }
-    if (separated)
+    for (const auto& s : stations)
+        out.push_back(orient(pair, crossing, s));
+    std::erase_if(out, beside);
+    if (!options.by_point && std::ranges::all_of(out, separated))
         out.clear();
     return out;
 }

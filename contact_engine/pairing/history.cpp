@@ -6,16 +6,15 @@
 namespace braidx {
 History::History(const ContactElements& previous, const std::vector<Tube>& tubes)
     : previous_(previous), tubes_(tubes) {
-    by_tubes_.reserve(previous.size());
+    places_.reserve(previous.size());
     for (std::size_t i = 0; i < previous.size(); ++i)
-        by_tubes_.emplace(key(previous[i].tube_a, previous[i].tube_b), i);
+        places_.emplace_back(Place{previous[i].tube_a, previous[i].tube_b, previous[i].station}, i);
+    std::ranges::sort(places_);
 }
 
 const ContactElement* History::predecessor(const ContactElement& element, double reach) const {
     const ContactElement* best = nullptr;
-    for_each(element.tube_a, element.tube_b, [&](const ContactElement& old) {
-        if (old.station != element.station)
-            return;
+    for_each(element.tube_a, element.tube_b, element.station, [&](const ContactElement& old) {
         double apart = std::abs(old.s_a - element.s_a) * tubes_[element.tube_a].element_length;
         if (!against_rigid(element))
             apart += std::abs(old.s_b - element.s_b) * tubes_[element.tube_b].element_length;

@@ -2,7 +2,10 @@
 
 #include "contact_element.h"
 
-#include <unordered_map>
+#include <algorithm>
+#include <ranges>
+#include <tuple>
+#include <utility>
 
 namespace braidx {
 
@@ -15,22 +18,24 @@ public:
     /// or none.
     const ContactElement* predecessor(const ContactElement& element, double reach) const;
 
-    /// Calls visit(element) for every previous element between two tubes.
+    /// Calls visit(element) for every previous element of a station of two tubes, the last one
+    /// first.
     template <class Visit>
-    void for_each(std::int32_t tube_a, std::int32_t tube_b, const Visit& visit) const {
-        const auto [first, last] = by_tubes_.equal_range(key(tube_a, tube_b));
-        for (auto at = first; at != last; ++at)
-            visit(previous_[at->second]);
+    void for_each(std::int32_t tube_a, std::int32_t tube_b, std::int64_t station,
+                  const Visit& visit) const {
+        const Place place{tube_a, tube_b, station};
+        const auto found = std::ranges::equal_range(places_, place, {}, &Entry::first);
+        for (const auto& entry : std::views::reverse(found))
+            visit(previous_[entry.second]);
     }
 
 private:
-    static std::int64_t key(std::int32_t tube_a, std::int32_t tube_b) {
-        return std::int64_t{tube_a} * (std::int64_t{1} << 32) + tube_b;
-    }
+    using Place = std::tuple<std::int32_t, std::int32_t, std::int64_t>;
+    using Entry = std::pair<Place, std::size_t>;
 
     const ContactElements& previous_;
     const std::vector<Tube>& tubes_;
-    std::unordered_multimap<std::int64_t, std::size_t> by_tubes_;
+    std::vector<Entry> places_; ///< ascending
 };
 
 /// Hands on memory: slip (turned with the normal), work and penalty; and, if asked, the side: a

@@ -1,8 +1,8 @@
 #include "pairing.h"
 
-#include "history.h"
+#include "../parallel.h"
+#include "builder.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,153 +12,31 @@ namespace {
 
 using Tubes = std::vector<Tube>;
 
-/// Surface particle of a tube that faces `direction`, in section coordinates (beams only).
-void face(const Tube& tube, Unknowns q, double s, const Vec3& direction, double (&xi)[2]) {
-    if (!tube.has_directors())
-        return;
-    const auto support = element_support(tube, s);
-    const double c1 = director(tube, q, support, 1).dot(direction),
-                 c2 = director(tube, q, support, 2).dot(direction);
-    const double norm = std::max(std::hypot(c1, c2), 1e-12);
-    xi[0] = tube.radius * c1 / norm;
-    xi[1] = tube.radius * c2 / norm;
-}
-
-/// Makes the contact elements of one zone or crossing and gives them one penalty.
-class Builder {
-public:
-    Builder(const Tubes& tubes, Unknowns q, const ContactElements& previous,
-            const PairingOptions& options)
-        : tubes_(tubes), q_(q), options_(options), history_(previous, tubes) {}
-
-    void add_zone(std::int32_t a, std::int32_t b, int orientation,
-                  const std::vector<Station>& stations) {
-        const auto movable = [&](std::int32_t t, double s) {
-            return s > 0 && s < tubes_[t].num_elements &&
-                   (tubes_[t].smooth || tubes_[t].degree == 2);
-        };
-        const std::size_t first = elements.size();
-        for (const auto& s : stations) {
-            const int follows = movable(a, s.s_a) && movable(b, s.s_b) ? orientation : 0;
-            add({.tube_a = a,
-                 .tube_b = b,
-                 .s_a = s.s_a,
-                 .s_b = s.s_b,
-                 .station = s.index,
-                 .normal = centre_to_centre(a, b, s),
-                 .follows = follows,
-                 .weight = s.weight,
-                 .stiffness = 0});
-        }
-        share_stiffness(first);
-    }
-
-    /// The tube `a` may touch a rigid surface anywhere: one proximity zone per tube.
-    void add_wall(std::int32_t a, const Rigid& rigid, std::int32_t number) {
-        const Tube& tube = tubes_[a];
-        const std::size_t first = elements.size();
-        const auto count = static_cast<std::int64_t>(std::ceil(tube.length() / options_.spacing));
-        const double spacing = tube.length() / static_cast<double>(count);
-        for (std::int64_t k = 0; k < count; ++k) {
-            const double s = (static_cast<double>(k) + 0.5) * spacing / tube.element_length;
-            const Vec3 x = position(tube, q_, s);
-            const auto wall = rigid.nearest(x);
-            if ((x - wall.position).dot(wall.normal) > tube.radius + options_.search.margin)
-                continue;
-            add({.tube_a = a,
-                 .tube_b = -1 - number,
-                 .body_b = rigid.body,
-                 .s_a = s,
-                 .s_b = 0,
-                 .station = k,
-                 .normal = -wall.normal,
-                 .weight = spacing,
-                 .stiffness = 0,
-                 .wall = wall.position,
-                 .wall_start = rigid.at_start(wall.position)});
-        }
-        share_stiffness(first);
-    }
-
-    void add_crossing(const Crossing& crossing, std::int32_t number,
-                      const std::vector<OrientedStation>& stations) {
-        const std::size_t first = elements.size();
-        for (const auto& [s, normal, allowance] : stations)
-            add({.tube_a = crossing.tube_a,
-                 .tube_b = crossing.tube_b,
-                 .s_a = s.s_a,
-                 .s_b = s.s_b,
-                 .station = s.index,
-                 .normal = normal,
-                 .weight = s.weight,
-                 .stiffness = 0,
-                 .allowance = allowance,
-                 .crossing = number});
-        share_stiffness(first);
-    }
-
-    ContactElements elements;
-    const History& history() const { return history_; }
-
-private:
-    void add(ContactElement e) {
-        e.zone = num_zones_;
-        if (const auto* old = history_.predecessor(e, 4 * options_.spacing))
-            inherit(e, *old, options_.keep_side);
-        face(tubes_[e.tube_a], q_, e.s_a, e.normal, e.xi_a);
-        if (!against_rigid(e)) {
-            face(tubes_[e.tube_b], q_, e.s_b, -e.normal, e.xi_b);
-            e.body_b = tubes_[e.tube_b].body;
-        }
-        elements.push_back(e);
-    }
-
-    Vec3 centre_to_centre(std::int32_t a, std::int32_t b, const Station& s) const {
-        const Vec3 d = position(tubes_[b], q_, s.s_b) - position(tubes_[a], q_, s.s_a);
-        const double length = d.norm();
-        if (length > 1e-9 * tubes_[a].radius)
-            return d / length;
-        const Vec3 t =
-            curve_point(tubes_[a], q_, s.s_a).tangent; // coinciding centres: any normal will do
-        return t.unitOrthogonal();
-    }
-
-    void share_stiffness(std::size_t first) {
-        if (first == elements.size())
-            return;
-        double stiffness = 0;
-        for (std::size_t i = first; i < elements.size(); ++i)
-            stiffness = std::max(stiffness, elements[i].stiffness);
-        for (std::size_t i = first; i < elements.size(); ++i)
-            elements[i].stiffness = stiffness > 0 ? stiffness : options_.stiffness;
-        ++num_zones_;
-    }
-
-    const Tubes& tubes_;
-    Unknowns q_;
-    const PairingOptions& options_;
-    History history_;
-    std::int32_t num_zones_ = 0;
-};
+/// Contact elements found on several threads, in the order in which one would have found them.
+using Parts = std::vector<ContactElements>;
 
 /// Crossings not separated yet, by pair of tubes: there the stacking order rules, elsewhere
 /// geometry.
 using Unseparated = std::multimap<std::pair<std::int32_t, std::int32_t>, const Crossing*>;
 
-Unseparated add_crossings(Builder& builder, const Tubes& tubes,
-                          const std::vector<Crossing>& crossings, Unknowns q,
-                          const PairingOptions& options) {
-    Unseparated out;
-    for (std::size_t i = 0; i < crossings.size(); ++i) {
+Parts crossing_parts(const Builder& builder, const Surfaces& surfaces, Unknowns q,
+                     const PairingOptions& options) {
+    const auto& crossings = surfaces.crossings;
+    return parallel_map(crossings.size(), options.num_threads, [&](std::size_t i) {
         const auto& c = crossings[i];
         if (!is_own(options, c.tube_a, c.tube_b))
-            continue;
-        const auto stations = crossing_stations(tubes, q, c, options.spacing, options.crossing);
-        if (stations.empty())
-            continue;
-        builder.add_crossing(c, static_cast<std::int32_t>(i), stations);
-        out.emplace(std::pair(c.tube_a, c.tube_b), &c);
-    }
+            return ContactElements{};
+        return builder.crossing(
+            c, static_cast<std::int32_t>(i),
+            crossing_stations(surfaces.tubes, q, c, options.spacing, options.crossing));
+    });
+}
+
+Unseparated unseparated_crossings(const std::vector<Crossing>& crossings, const Parts& parts) {
+    Unseparated out;
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+        if (!parts[i].empty())
+            out.emplace(std::pair(crossings[i].tube_a, crossings[i].tube_b), &crossings[i]);
     return out;
 }
 
@@ -176,9 +54,7 @@ bool covers(const ProximityZone& zone, const Station& s) {
 std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone,
                                  const History& history, double spacing) {
     std::vector<Station> out;
-    history.for_each(zone.tube_a, zone.tube_b, [&](const ContactElement& old) {
-        if (old.station != point_station)
-            return;
+    history.for_each(zone.tube_a, zone.tube_b, point_station, [&](const ContactElement& old) {
         const double arc_a = old.s_a * pair.a.element_length,
                      arc_b = old.s_b * pair.b.element_length;
         const auto at = pair.closest(arc_a, arc_b);
@@ -206,13 +82,14 @@ std::vector<Station> new_points(const TubePair& pair, const ProximityZone& zone,
     return out;
 }
 
-void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone,
-              const Unseparated& unseparated, Unknowns q, const PairingOptions& options) {
+/// Stations of a zone, but for those of crossings that are not separated yet.
+std::vector<Station> zone_stations(const Tubes& tubes, Unknowns q, const ProximityZone& zone,
+                                   const History& history, const Unseparated& unseparated,
+                                   const PairingOptions& options) {
     const TubePair pair{tubes[zone.tube_a], tubes[zone.tube_b], q, zone.orientation};
     auto line = line_stations(pair, zone.pairs, options.spacing);
-    const auto points = options.keep_points
-                            ? kept_points(pair, zone, builder.history(), options.spacing)
-                            : new_points(pair, zone, line, builder.history(), options);
+    const auto points = options.keep_points ? kept_points(pair, zone, history, options.spacing)
+                                            : new_points(pair, zone, line, history, options);
     auto stations = share_length(std::move(line), points, pair);
     const double reach = pair.a.radius + pair.b.radius + options.search.margin;
     const auto [first, last] = unseparated.equal_range({zone.tube_a, zone.tube_b});
@@ -222,7 +99,48 @@ void add_zone(Builder& builder, const Tubes& tubes, const ProximityZone& zone,
                    return c.second->contains(arc_a, arc_b);
                });
     });
-    builder.add_zone(zone.tube_a, zone.tube_b, zone.orientation, stations);
+    return stations;
+}
+
+Parts zone_parts(const Builder& builder, const Tubes& tubes, Unknowns q,
+                 const Unseparated& unseparated, const PairingOptions& options) {
+    const auto zones =
+        proximity_zones(tubes, q, close_pairs(tubes, q, options.search, options.num_threads));
+    return parallel_map(zones.size(), options.num_threads, [&](std::size_t i) {
+        const auto& zone = zones[i];
+        if (!is_own(options, zone.tube_a, zone.tube_b))
+            return ContactElements{};
+        return builder.zone(zone,
+                            zone_stations(tubes, q, zone, builder.history(), unseparated, options));
+    });
+}
+
+Parts wall_parts(const Builder& builder, const Surfaces& surfaces, const PairingOptions& options) {
+    const auto num_tubes = surfaces.tubes.size();
+    const auto num_pairs = surfaces.rigid.size() * num_tubes;
+    return parallel_map(num_pairs, options.num_threads, [&](std::size_t i) {
+        const auto rigid = static_cast<std::int32_t>(i / num_tubes),
+                   tube = static_cast<std::int32_t>(i % num_tubes);
+        if (!is_own(options, tube, rigid))
+            return ContactElements{};
+        return builder.wall(tube, surfaces.rigid[rigid], rigid);
+    });
+}
+
+/// Joins parts, and numbers them as zones.
+ContactElements joined(std::initializer_list<const Parts*> all) {
+    ContactElements out;
+    std::int32_t num_zones = 0;
+    for (const auto* parts : all)
+        for (const auto& part : *parts) {
+            if (part.empty())
+                continue;
+            out.insert(out.end(), part.begin(), part.end());
+            std::for_each(out.end() - std::ssize(part), out.end(),
+                          [&](ContactElement& e) { e.zone = num_zones; });
+            ++num_zones;
+        }
+    return out;
 }
 
 } // namespace
@@ -234,17 +152,12 @@ bool is_own(const PairingOptions& options, std::int64_t tube, std::int64_t other
 ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
                                       const ContactElements& previous,
                                       const PairingOptions& options) {
-    const auto& tubes = surfaces.tubes;
-    Builder builder(tubes, q, previous, options);
-    const auto unseparated = add_crossings(builder, tubes, surfaces.crossings, q, options);
-    for (const auto& zone : proximity_zones(tubes, q, close_pairs(tubes, q, options.search)))
-        if (is_own(options, zone.tube_a, zone.tube_b))
-            add_zone(builder, tubes, zone, unseparated, q, options);
-    for (std::size_t r = 0; r < surfaces.rigid.size(); ++r)
-        for (std::int32_t a = 0; a < static_cast<std::int32_t>(tubes.size()); ++a)
-            if (is_own(options, a, static_cast<std::int64_t>(r)))
-                builder.add_wall(a, surfaces.rigid[r], static_cast<std::int32_t>(r));
-    return std::move(builder.elements);
+    const Builder builder(surfaces.tubes, q, previous, options);
+    const auto crossings = crossing_parts(builder, surfaces, q, options);
+    const auto unseparated = unseparated_crossings(surfaces.crossings, crossings);
+    const auto zones = zone_parts(builder, surfaces.tubes, q, unseparated, options);
+    const auto walls = wall_parts(builder, surfaces, options);
+    return joined({&crossings, &zones, &walls});
 }
 
 } // namespace braidx

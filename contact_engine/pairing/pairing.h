@@ -19,6 +19,7 @@ struct PairingOptions {
         true;     ///< tubes never pass through each other; off while a shape is being found
     int part = 0; ///< this process makes the pairs of tubes of one part
     int num_parts = 1;
+    int num_threads = 1; ///< the contact elements are the same for any number
 };
 
 /// Everything that may touch.

@@ -1,5 +1,6 @@
 #include "close_pairs.h"
 
+#include "../parallel.h"
 #include "segment_distance.h"
 
 #include <algorithm>
@@ -97,15 +98,20 @@ public:
                     for (auto z = low_[i].z; z <= high_[i].z; ++z)
                         members_[{x, y, z}].push_back(static_cast<std::int32_t>(i));
         }
+        for (const auto& entry : members_)
+            cells_.push_back(&entry);
     }
 
-    /// Calls visit(i, j) once for every two segments whose boxes share a cell.
-    template <class Visit> void for_each_candidate(const Visit& visit) const {
-        for (const auto& [c, ids] : members_)
-            for (std::size_t i = 0; i < ids.size(); ++i)
-                for (std::size_t j = i + 1; j < ids.size(); ++j)
-                    if (c == first_shared(ids[i], ids[j]))
-                        visit(ids[i], ids[j]);
+    std::size_t num_cells() const { return cells_.size(); }
+
+    /// Calls visit(i, j) for two segments whose boxes share a cell: in all cells once for every
+    /// two.
+    template <class Visit> void for_each_candidate(std::size_t cell, const Visit& visit) const {
+        const auto& [c, ids] = *cells_[cell];
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            for (std::size_t j = i + 1; j < ids.size(); ++j)
+                if (c == first_shared(ids[i], ids[j]))
+                    visit(ids[i], ids[j]);
     }
 
 private:
@@ -123,19 +129,28 @@ private:
 
     double size_ = 1.0;
     std::vector<Cell> low_, high_;
-    std::unordered_map<Cell, std::vector<std::int32_t>, CellHash> members_;
+    using Members = std::unordered_map<Cell, std::vector<std::int32_t>, CellHash>;
+    Members members_;
+    std::vector<const Members::value_type*> cells_;
 };
 
 } // namespace
 
 std::vector<ElementPair> close_pairs(const std::vector<Tube>& tubes, Unknowns q,
-                                     const SearchOptions& options) {
+                                     const SearchOptions& options, int num_threads) {
     const auto segments = segments_of(tubes, q);
-    std::vector<ElementPair> out;
-    Grid(tubes, segments, options.margin).for_each_candidate([&](std::int32_t i, std::int32_t j) {
-        if (const auto pair = test_pair(tubes, segments[i], segments[j], options))
-            out.push_back(*pair);
+    const Grid grid(tubes, segments, options.margin);
+    const auto found = parallel_map(grid.num_cells(), num_threads, [&](std::size_t cell) {
+        std::vector<ElementPair> pairs;
+        grid.for_each_candidate(cell, [&](std::int32_t i, std::int32_t j) {
+            if (const auto pair = test_pair(tubes, segments[i], segments[j], options))
+                pairs.push_back(*pair);
+        });
+        return pairs;
     });
+    std::vector<ElementPair> out;
+    for (const auto& pairs : found)
+        out.insert(out.end(), pairs.begin(), pairs.end());
     sort_pairs(out);
     return out;
 }

@@ -24,7 +24,7 @@ struct SearchOptions {
 /// All close pairs, through a hashed grid of inflated element boxes; sorted by tubes, then
 /// elements.
 std::vector<ElementPair> close_pairs(const std::vector<Tube>& tubes, Unknowns q,
-                                     const SearchOptions& options);
+                                     const SearchOptions& options, int num_threads = 1);
 
 /// The same by testing every pair: the oracle of the tests.
 std::vector<ElementPair> close_pairs_brute_force(const std::vector<Tube>& tubes, Unknowns q,

@@ -1,14 +1,7 @@
 #include "tube.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace braidx {
 namespace {
-
-std::int32_t element_of(const Tube& tube, double s) {
-    return std::clamp(static_cast<std::int32_t>(std::floor(s)), 0, tube.num_elements - 1);
-}
 
 Support linear_support(std::int32_t e, double t) {
     Support out;
@@ -30,7 +23,9 @@ Support quadratic_support(std::int32_t e, double t) {
 }
 
 /// Catmull-Rom weights; the phantom node past an end is the linear extrapolation of the last two.
-Support smooth_support(std::int32_t e, double t, std::int32_t num_elements) {
+Support smooth_support(const Tube& tube, double s) {
+    const auto e = tube.element_of(s);
+    const double t = s - e;
     std::array<double, 4> w = {t * (-0.5 + t * (1.0 - 0.5 * t)), 1.0 + t * t * (-2.5 + 1.5 * t),
                                t * (0.5 + t * (2.0 - 1.5 * t)), t * t * (-0.5 + 0.5 * t)};
     std::array<double, 4> d = {-0.5 + t * (2.0 - 1.5 * t), t * (-5.0 + 4.5 * t),
@@ -41,7 +36,7 @@ Support smooth_support(std::int32_t e, double t, std::int32_t num_elements) {
         v[far] -= v[phantom];
         v[phantom] = 0.0;
     };
-    const bool first = e == 0, last = e == num_elements - 1;
+    const bool first = e == 0, last = e == tube.num_elements - 1;
     if (first) {
         fold(w, 0, 1, 2);
         fold(d, 0, 1, 2);
@@ -63,35 +58,37 @@ Support smooth_support(std::int32_t e, double t, std::int32_t num_elements) {
     return out;
 }
 
-} // namespace
-
-Support element_support(const Tube& tube, double s) {
-    const auto e = element_of(tube, s);
-    return tube.degree == 1 ? linear_support(e, s - e) : quadratic_support(e, s - e);
-}
-
-Support contact_support(const Tube& tube, double s) {
-    if (tube.degree != 1 || !tube.smooth)
-        return element_support(tube, s);
-    const auto e = element_of(tube, s);
-    return smooth_support(e, s - e, tube.num_elements);
-}
-
-Vec3 position(const Tube& tube, Unknowns q, double s) {
-    const Support support = contact_support(tube, s);
+/// Weighted sum of positions.
+Vec3 combined(const Tube& tube, Unknowns q, const Support& support) {
     Vec3 x = Vec3::Zero();
     for (int i = 0; i < support.count; ++i)
         x += support.weight[i] * vector_at(q, tube.unknown_of(support.node[i]));
     return x;
 }
 
+} // namespace
+
+Support element_support(const Tube& tube, double s) {
+    const auto e = tube.element_of(s);
+    return tube.degree == 1 ? linear_support(e, s - e) : quadratic_support(e, s - e);
+}
+
+Support contact_support(const Tube& tube, double s) {
+    if (tube.degree != 1 || !tube.smooth)
+        return element_support(tube, s);
+    return smooth_support(tube, s);
+}
+
+Vec3 position(const Tube& tube, Unknowns q, double s) {
+    return combined(tube, q, contact_support(tube, s));
+}
+
 CurvePoint curve_point(const Tube& tube, Unknowns q, double s) {
-    const auto e = element_of(tube, s);
     // Tangents of degree-1 curves are always the smooth ones: those of the polygon jump at its
     // nodes.
-    const Support slope =
-        tube.degree == 1 ? smooth_support(e, s - e, tube.num_elements) : element_support(tube, s);
-    CurvePoint out{position(tube, q, s), Vec3::Zero()};
+    const Support slope = tube.degree == 1 ? smooth_support(tube, s) : element_support(tube, s);
+    const bool polygon = tube.degree == 1 && !tube.smooth;
+    CurvePoint out{combined(tube, q, polygon ? element_support(tube, s) : slope), Vec3::Zero()};
     for (int i = 0; i < slope.count; ++i)
         out.tangent += slope.slope[i] * vector_at(q, tube.unknown_of(slope.node[i]));
     out.tangent /= tube.element_length;

@@ -2,7 +2,9 @@
 
 #include "../types.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace braidx {
 
@@ -20,10 +22,16 @@ struct Tube {
     double element_length; ///< rest length of an element, mm (mean)
     int body;              ///< number of the body, for friction per pair of bodies
     bool smooth;           ///< C1 contact geometry through the nodes (degree 1 only)
+    bool is_image = false; ///< its equilibrium repeats that of another tube, by symmetry: nobody
+                           ///< asks for the rows of its unknowns in residual and tangent
 
     double length() const { return num_elements * element_length; }
     std::int32_t num_nodes() const { return num_elements * degree + 1; }
     bool has_directors() const { return block == 9; }
+    /// Finite element that holds s.
+    std::int32_t element_of(double s) const {
+        return std::clamp(static_cast<std::int32_t>(std::floor(s)), 0, num_elements - 1);
+    }
     std::int64_t unknown_of(std::int32_t node) const {
         return first_unknown + std::int64_t{node} * block;
     }

@@ -138,3 +138,46 @@ TEST_CASE("penalties grow by zone until penetrations are tolerable", "[memory]")
     CHECK(adapt(0.001, 3) == 2); // far too deep: by `growth` at most
     CHECK(std::abs(contact.elements[0].stiffness - 3 * before) < 1e-9);
 }
+
+TEST_CASE("any number of threads remembers the same", "[memory]") {
+    const Contact contact = mixed_contacts();
+    const auto& tubes = contact.rods.tubes;
+    const Unknowns q = contact.rods.q, start = contact.start;
+    auto expected = contact.elements;
+    const auto done = commit(tubes, expected, q, start, contact.laws);
+    const auto forces = sum_normal_forces(tubes, contact.elements, q, start, contact.laws);
+    const double deepest = deepest_penetration(tubes, contact.elements, q);
+    CHECK(deepest == done.penetration);
+    const int raised = adapt_stiffness(tubes, expected, q, 0.5 * deepest, 3);
+    for (const int num_threads : {2, 7}) {
+        auto found = contact.elements;
+        const auto again = commit(tubes, found, q, start, contact.laws, num_threads);
+        CHECK(again.work == done.work);
+        CHECK(again.penetration == done.penetration);
+        CHECK(adapt_stiffness(tubes, found, q, 0.5 * deepest, 3, 0, num_threads) == raised);
+        for (std::size_t e = 0; e < found.size(); ++e) {
+            CHECK(found[e].slip == expected[e].slip);
+            CHECK(found[e].work == expected[e].work);
+            CHECK(found[e].stiffness == expected[e].stiffness);
+        }
+        const auto same =
+            sum_normal_forces(tubes, contact.elements, q, start, contact.laws, num_threads);
+        CHECK(same.all == forces.all);
+        CHECK(same.rigid == forces.rigid);
+    }
+}
+
+TEST_CASE("normal forces add up, those on rigid surfaces by themselves", "[memory]") {
+    const Contact contact = mixed_contacts();
+    double rigid = 0, all = 0;
+    for (const auto& e : contact.elements) {
+        const auto r = reaction(contact.rods.tubes, e, contact.rods.q, contact.start, contact.laws);
+        all += r.normal_force;
+        rigid += e.tube_b < 0 ? r.normal_force : 0;
+    }
+    const auto sums = sum_normal_forces(contact.rods.tubes, contact.elements, contact.rods.q,
+                                        contact.start, contact.laws);
+    CHECK(sums.all == all);
+    CHECK(sums.rigid == rigid);
+    CHECK((rigid > 0 && rigid < all));
+}

@@ -11,24 +11,6 @@ namespace {
 
 using Block = std::pair<std::int64_t, std::int64_t>;
 
-/// Contact elements of a small tangle: several kinds of tubes, walls, one tube against itself.
-Contact mixed_contacts() {
-    auto out = random_contact(smooth_beam, quadratic_cable, 0.2, 0.1, 3);
-    out.rods.add_straight(smooth_cable, 6, 1.0, {0, 0, 0}, {0, 6, 0});
-    const auto between = out.elements;
-    for (const auto& e : between) {
-        auto with_third = e, with_wall = e, with_itself = e;
-        with_third.tube_b = 2;
-        with_wall.tube_b = -1;
-        with_itself.tube_a = with_itself.tube_b = 2; // sections that share nodes
-        with_itself.s_b = with_itself.s_a + 1;
-        for (const auto& more : {with_third, with_wall, with_itself})
-            out.elements.push_back(more);
-    }
-    out.start = out.rods.q;
-    return out;
-}
-
 } // namespace
 
 TEST_CASE("blocks of the pattern are unique, sorted and complete", "[pattern]") {
@@ -108,4 +90,15 @@ TEST_CASE("a pattern tells when it lacks a block", "[pattern]") {
     auto pattern = make_pattern(contact.rods.tubes, contact.elements, 0.3);
     e.s_a = contact.rods.tubes[e.tube_a].num_elements - 0.5;
     CHECK_FALSE(place(pattern, contact.rods.tubes, contact.elements));
+}
+
+TEST_CASE("any number of threads lays out the same pattern", "[pattern]") {
+    const auto contact = mixed_contacts();
+    const auto expected = make_pattern(contact.rods.tubes, contact.elements, 0.3);
+    for (const int num_threads : {2, 3, 40}) {
+        const auto found = make_pattern(contact.rods.tubes, contact.elements, 0.3, num_threads);
+        CHECK(found.key == expected.key);
+        CHECK(found.slot == expected.slot);
+        CHECK(found.first_slot == expected.first_slot);
+    }
 }

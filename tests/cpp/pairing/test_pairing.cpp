@@ -25,6 +25,13 @@ auto identity(const ContactElement& e) {
     return std::tuple(e.tube_a, e.tube_b, e.station, e.s_a, e.s_b);
 }
 
+auto all_of(const ContactElement& e) {
+    const auto of = [](const Vec3& v) { return std::tuple(v[0], v[1], v[2]); };
+    return std::tuple(identity(e), e.body_b, of(e.normal), e.follows, e.weight, e.stiffness,
+                      e.xi_a[0], e.xi_a[1], e.xi_b[0], e.xi_b[1], of(e.slip), e.work, of(e.wall),
+                      of(e.wall_start), e.allowance, e.zone, e.crossing);
+}
+
 } // namespace
 
 TEST_CASE("normals are unit, from a to b, through the centres", "[pairing]") {
@@ -196,4 +203,32 @@ TEST_CASE("every pair is one process's own", "[pairing]") {
             }
             CHECK(owners == 1);
         }
+}
+
+TEST_CASE("any number of threads makes the same contact elements, bit by bit", "[pairing]") {
+    for (const auto& kind : all_kinds) {
+        INFO(kind.name);
+        Rods rods = raft(kind);
+        Random random(3);
+        rods.shake(random, 0.1);
+        const double l = rods.tubes[0].length();
+        const Crossing crossing{0, 3, 0, l, 0, l, 1, {-1, 0, 0}, {0, 0, 1}};
+        const Surfaces surfaces{rods.tubes, {crossing}, {{Plane{{0, -0.95, 0}, {0, 1, 0}}, 9}}};
+        auto previous = make_contact_elements(surfaces, rods.q, {}, {});
+        for (auto& e : previous)
+            e.slip = 0.003 * e.normal.unitOrthogonal();
+        const auto expected = make_contact_elements(surfaces, rods.q, previous, {});
+        std::set<bool> rigid;
+        for (const auto& e : expected)
+            rigid.insert(against_rigid(e));
+        CHECK(rigid.size() == 2);
+        for (const int num_threads : {2, 3, 50}) {
+            PairingOptions options;
+            options.num_threads = num_threads;
+            const auto found = make_contact_elements(surfaces, rods.q, previous, options);
+            REQUIRE(found.size() == expected.size());
+            for (std::size_t i = 0; i < found.size(); ++i)
+                CHECK(all_of(found[i]) == all_of(expected[i]));
+        }
+    }
 }

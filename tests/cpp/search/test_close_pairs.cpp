@@ -107,3 +107,16 @@ TEST_CASE("tubes that nothing is near make no pairs", "[close_pairs]") {
     rods.add_straight(cable, 5, 0.5, {0, 0, 9}, {5, 0, 9});
     CHECK(close_pairs(rods.tubes, rods.q, {}).empty());
 }
+
+TEST_CASE("any number of threads finds the same pairs", "[close_pairs]") {
+    const Rods rods = tangle(7);
+    const auto list = [&](int num_threads) {
+        std::vector<decltype(fields({}))> out;
+        for (const auto& pair : close_pairs(rods.tubes, rods.q, {1.0, 2.0}, num_threads))
+            out.push_back(fields(pair));
+        return out;
+    };
+    CHECK(list(1).size() > 1);
+    CHECK(list(2) == list(1));
+    CHECK(list(9) == list(1));
+}

@@ -49,14 +49,14 @@ Contact fill(Rods rods, bool wall, double mu, double slide, Random& random) {
 
 Vector Contact::residual(const std::vector<double>& q) const {
     Vector out = Vector::Zero(static_cast<Eigen::Index>(q.size()));
-    add_residual(rods.tubes, elements, q, start, laws, {out.data(), q.size()});
+    add_residual(rods.tubes, elements, q, start, laws, {out.data(), q.size()}, num_threads);
     return out;
 }
 
 Matrix Contact::tangent(FrictionTangent tangent) const {
-    const auto pattern = make_pattern(rods.tubes, elements);
+    const auto pattern = make_pattern(rods.tubes, elements, 0, num_threads);
     std::vector<double> values(9 * pattern.row.size());
-    add_tangent(rods.tubes, elements, pattern, rods.q, start, laws, tangent, values);
+    add_tangent(rods.tubes, elements, pattern, rods.q, start, laws, tangent, values, num_threads);
     const auto n = static_cast<Eigen::Index>(rods.q.size());
     Matrix out = Matrix::Zero(n, n);
     for (std::size_t block = 0; block < pattern.row.size(); ++block)
@@ -119,6 +119,23 @@ Contact random_contact(const Kind& kind_a, const Kind& kind_b, double mu, double
     rods.add_straight(kind_b, 2, 0.8, {1.7, -2, 1}, {1.7, 2, 3});
     rods.shake(random, 0.2);
     return fill(std::move(rods), false, mu, slide, random);
+}
+
+Contact mixed_contacts() {
+    auto out = random_contact(smooth_beam, quadratic_cable, 0.2, 0.1, 3);
+    out.rods.add_straight(smooth_cable, 6, 1.0, {0, 0, 0}, {0, 6, 0});
+    const auto between = out.elements;
+    for (const auto& e : between) {
+        auto with_third = e, with_wall = e, with_itself = e;
+        with_third.tube_b = 2;
+        with_wall.tube_b = -1;
+        with_itself.tube_a = with_itself.tube_b = 2; // sections that share nodes
+        with_itself.s_b = with_itself.s_a + 1;
+        for (const auto& more : {with_third, with_wall, with_itself})
+            out.elements.push_back(more);
+    }
+    out.start = out.rods.q;
+    return out;
 }
 
 Contact random_contact_with_wall(const Kind& kind, double mu, double slide, unsigned seed) {

@@ -14,6 +14,7 @@ struct Contact {
     ContactElements elements;
     std::vector<double> start; ///< unknowns at the start of the increment
     ContactLaws laws;
+    int num_threads = 1;
 
     Vector residual() const { return residual(rods.q); }
     Vector residual(const std::vector<double>& q) const;
@@ -33,6 +34,9 @@ ContactLaws laws_with(double mu, int num_bodies = 2);
 /// motion of the increment.
 Contact random_contact(const Kind& kind_a, const Kind& kind_b, double mu, double slide,
                        unsigned seed);
+
+/// Contact elements of a small tangle: three kinds of tubes, walls, one tube against itself.
+Contact mixed_contacts();
 
 /// One randomly deformed tube against walls.
 Contact random_contact_with_wall(const Kind& kind, double mu, double slide, unsigned seed);
