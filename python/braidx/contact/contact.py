@@ -8,6 +8,7 @@ from typing import Any
 
 import braidx_engine as engine
 import numpy as np
+import numpy.typing as npt
 from mpi4py import MPI
 
 from ..system.terms import Floats, Ints
@@ -22,6 +23,7 @@ class TubeLayout:
         num_elements, degree, block: shape (num_tubes,).
         radius, element_length: mm, shape (num_tubes,).
         body: Number of the body, for friction per pair of bodies, shape (num_tubes,).
+        is_image: Whether the equilibrium of a tube repeats another's by symmetry, shape (num_tubes,); None: nowhere.
     """
 
     first_unknown: Ints
@@ -31,10 +33,13 @@ class TubeLayout:
     radius: Floats
     element_length: Floats
     body: Ints
+    is_image: npt.NDArray[np.bool_] | None = None
 
 
 class Contact:
     """Contact elements between tubes and their forces.
+
+    Residual and tangent leave out what acts between images only: nobody asks for their rows.
 
     Attributes:
         layout: The tubes.
@@ -45,6 +50,7 @@ class Contact:
         symmetrised: Whether the tangent of friction is made symmetric.
         start: Unknowns at the start of the increment, shape (num_unknowns,).
         reach: Elements that sections may move before the tangent needs a new pattern.
+        num_threads: Threads that the engine uses; sums depend on it by round-off.
     """
 
     def __init__(
@@ -55,18 +61,9 @@ class Contact:
         *,
         smooth: bool,
         symmetric: bool,
+        num_threads: int = 1,
     ) -> None:
-        int32 = {
-            name: getattr(layout, name).astype(np.int32)
-            for name in ("num_elements", "degree", "block", "body")
-        }
-        self.tubes = engine.make_tubes(
-            first_unknown=layout.first_unknown.astype(np.int64),
-            radius=layout.radius.astype(float),
-            element_length=layout.element_length.astype(float),
-            smooth=smooth,
-            **int32,
-        )
+        self.tubes = engine_tubes(layout, smooth)
         self.comm, self.layout = comm, layout
         self.min_radius = float(layout.radius.min())
         self.crossings = crossings if crossings is not None else no_crossings()
@@ -75,6 +72,7 @@ class Contact:
         self.laws = engine.ContactLaws()
         self.pairing = engine.PairingOptions()
         self.pairing.part, self.pairing.num_parts = comm.rank, comm.size
+        self.num_threads = self.pairing.num_threads = num_threads
         self.elements = engine.ContactElements()
         self.start: Floats = np.empty(0)
         self._q: Floats = np.empty(0)
@@ -122,7 +120,9 @@ class Contact:
             Of all processes: work dissipated in the increment (mJ), deepest penetration (mm), number of
             contact elements.
         """
-        work, penetration = engine.commit(self.tubes, self.elements, q, self.start, self.laws)
+        work, penetration = engine.commit(
+            self.tubes, self.elements, q, self.start, self.laws, self.num_threads
+        )
         self.start = (
             q  # the slip of the increment is remembered now: forces at q stay what they are
         )
@@ -138,10 +138,24 @@ class Contact:
         if (
             self.comm.size > 1
         ):  # whether zones near the tolerance are raised, too, is decided together
-            deepest = engine.deepest_penetration(self.tubes, self.elements, q)
-            deepest = self.comm.allreduce(deepest, op=MPI.MAX)
-        changed = engine.adapt_stiffness(self.tubes, self.elements, q, tolerance, growth, deepest)
+            deepest = self.deepest_penetration(q)
+        changed = engine.adapt_stiffness(
+            self.tubes, self.elements, q, tolerance, growth, deepest, self.num_threads
+        )
         return self.comm.allreduce(changed)
+
+    def deepest_penetration(self, q: Floats) -> float:
+        """Of all processes, mm, at least 0."""
+        deepest = engine.deepest_penetration(self.tubes, self.elements, q, self.num_threads)
+        return self.comm.allreduce(deepest, op=MPI.MAX)
+
+    def rigid_share(self, q: Floats) -> float:
+        """Of all normal forces of all processes, the share that acts on rigid surfaces."""
+        sums = engine.sum_normal_forces(
+            self.tubes, self.elements, q, self.start, self.laws, self.num_threads
+        )
+        rigid, everywhere = self.comm.allreduce(np.array(sums))
+        return float(rigid / max(everywhere, 1e-300))
 
     def scale_stiffness(self, factor: float) -> None:
         """Multiplies all penalties."""
@@ -173,7 +187,9 @@ class Contact:
 
     def results(self, q: Floats) -> dict[str, np.ndarray]:
         """Results per contact element of this process: gap, normal_force, friction_force, position, normal..."""
-        forces = engine.contact_results(self.tubes, self.elements, q, self.start, self.laws)
+        forces = engine.contact_results(
+            self.tubes, self.elements, q, self.start, self.laws, self.num_threads
+        )
         return {**self.elements.arrays(), **forces}
 
     def set_state(self, q: Floats) -> None:
@@ -182,7 +198,15 @@ class Contact:
 
     def add_residual(self, residual: Floats) -> None:
         """See Term."""
-        engine.add_residual(self.tubes, self.elements, self._q, self.start, self.laws, residual)
+        engine.add_residual(
+            self.tubes,
+            self.elements,
+            self._q,
+            self.start,
+            self.laws,
+            residual,
+            self.num_threads,
+        )
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
@@ -200,20 +224,40 @@ class Contact:
             self.laws,
             self.symmetric_tangent,
             values,
+            self.num_threads,
         )
         return values
 
     def _lay_out(self) -> None:
         """Finds the contact elements' places in the tangent, in a new pattern where the last one lacks some."""
-        if self._pattern is not None and engine.place(self._pattern, self.tubes, self.elements):
+        if self._pattern is not None and engine.place(
+            self._pattern, self.tubes, self.elements, self.num_threads
+        ):
             return
         self.pattern_version += 1
-        self._pattern = engine.make_pattern(self.tubes, self.elements, self.reach)
+        self._pattern = engine.make_pattern(self.tubes, self.elements, self.reach, self.num_threads)
         within = np.arange(3)
         row, col = self._pattern.blocks()
         shape = (len(row), 3, 3)
         self._rows = np.broadcast_to(row[:, None, None] + within[None, :, None], shape).ravel()
         self._cols = np.broadcast_to(col[:, None, None] + within[None, None, :], shape).ravel()
+
+
+def engine_tubes(layout: TubeLayout, smooth: bool) -> Any:
+    """Engine object of tubes; smooth: contact geometry without the kinks of finite elements of degree 1."""
+    int32 = {
+        name: getattr(layout, name).astype(np.int32)
+        for name in ("num_elements", "degree", "block", "body")
+    }
+    is_image = np.zeros(len(layout.radius), bool) if layout.is_image is None else layout.is_image
+    return engine.make_tubes(
+        first_unknown=layout.first_unknown.astype(np.int64),
+        radius=layout.radius.astype(float),
+        element_length=layout.element_length.astype(float),
+        is_image=is_image,
+        smooth=smooth,
+        **int32,
+    )
 
 
 def no_crossings() -> Any:

@@ -58,7 +58,8 @@ class PhaseCost:
 
 @dataclass
 class Cost:
-    """What a run cost. `unknowns` and `contact_elements` are the largest numbers reached."""
+    """What a run cost. `unknowns` and `contact_elements` are the largest numbers reached;
+    `threads` are those of the contact engine, per process."""
 
     phases: dict[str, PhaseCost] = field(default_factory=dict)
     peak_memory_MB: float = 0.0

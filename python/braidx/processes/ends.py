@@ -137,4 +137,5 @@ class Ends:
             constraints.combine_each(x, across, [np.cos(angle), -np.sin(angle)])
             constraints.combine_each(x + 1, across, [np.sin(angle), np.cos(angle)])
             constraints.tie(x + 2, x + 2 + to_leader)
-            constraints.repeat(np.concatenate([x, x + 1, x + 2]))
+            moved = np.concatenate([x, x + 1, x + 2])
+            constraints.repeat(moved, moved + to_leader)

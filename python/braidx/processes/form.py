@@ -155,7 +155,7 @@ class Former:
     def check(self) -> None:
         """Raises NotConverged unless the shape found is one of yarns that do not penetrate."""
         contact = self.model.contact
-        deepest = float(-contact.results(self.state.q)["gap"].min(initial=0.0))
+        deepest = contact.deepest_penetration(self.state.q)
         wrong = wrong_side_crossings(self.model, self.state.q)
         if not self._has_come or wrong:
             pairs = ", ".join(f"{a}-{b}" for a, b in contact.worst_pairs())
@@ -229,7 +229,7 @@ class Former:
             number["dense"] = float(depth < DENSER)
             number["raised"] = number["done"]
         elif not number["open"] and self._keeps_lengths:
-            number["open"] = float(self._share_of_die(increment.q) < RELEASED)
+            number["open"] = float(self.model.contact.rigid_share(increment.q) < RELEASED)
             number["opening"] += OPENING * self._radius
         elif number["pressed"]:
             number["rested"] += 1
@@ -239,14 +239,6 @@ class Former:
         elif number["done"] - number["raised"] >= RAISE_EVERY:
             number["penalty"] *= RAISE
             number["raised"] = number["done"]
-
-    def _share_of_die(self, q: Floats) -> float:
-        """Of all normal forces, the share that acts on the bore."""
-        results = self.model.contact.results(q)
-        forces = results["normal_force"]
-        sums = np.array([forces[results["tubes"][:, 1] < 0].sum(), forces.sum()])
-        bore, everywhere = self.model.comm.allreduce(sums)
-        return float(bore / max(everywhere, 1e-300))
 
 
 def spread_nodes(lines: tuple[Floats, ...]) -> Floats:

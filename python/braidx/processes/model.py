@@ -7,6 +7,7 @@ from typing import Any
 
 import braidx_engine as engine
 import numpy as np
+import numpy.typing as npt
 from mpi4py import MPI
 
 from ..bodies import BeamBody, BeamSection, CableBody, CurveBody, YarnMaterial
@@ -23,6 +24,7 @@ from ..system.terms import BodyTerm, LoadTerm, Term
 from ..system.turning import Turning
 from .ends import Ends
 from .grouped_ends import GroupedEnds
+from .threads import num_threads
 
 
 class RopeModel:
@@ -48,7 +50,9 @@ class RopeModel:
         self.comm, self.scene, self.rope, self.body = comm, scene, rope, body
         self.preload_energy = 0.0
         size = body.num_unknowns
-        self.contact = make_contact(comm, scene, rope, body)
+        held = ends.held(0.0)
+        is_image = held[0].copies[ends.nodes.first] == 0.0
+        self.contact = make_contact(comm, scene, rope, body, is_image)
         self.proximal = ProximalTerm(size, comm.rank, cable_turning(body))
         self.loads = LoadTerm(size, comm.rank)
         self.directors = np.tile(np.arange(body.block) >= 3, body.num_nodes)
@@ -56,7 +60,7 @@ class RopeModel:
         self.tilt = section_tilt(comm, scene, body)
         terms: list[Term] = [BodyTerm(body, 0), self.contact, self.proximal, self.loads]
         terms += [self.tilt] if self.tilt else []
-        self.system = GlobalSystem(comm, terms, *self.ends.held(0.0))
+        self.system = GlobalSystem(comm, terms, *held)
         solver = scene.solver
         options = NewtonOptions(
             tolerance=solver.tolerance,
@@ -109,9 +113,9 @@ class RopeModel:
         return float(np.cross(q[vectors], self._from_outside(q)[vectors])[..., 2].sum())
 
     def _from_outside(self, q: Floats) -> Floats:
-        """What acts on all unknowns from outside: reactions and loads, shape (num_unknowns,), N."""
+        """What acts from outside, reactions and loads, shape (num_unknowns,), N: that on images is with leading yarns."""
         self.system.set_state(q)
-        return self.system.residual() + self.loads.loads
+        return self.system.constraints.copies * (self.system.residual() + self.loads.loads)
 
 
 def cable_body(
@@ -205,8 +209,10 @@ def periodic_directors(line: Floats) -> Floats:
     return np.stack([first, np.cross(tangent, first)], axis=1)
 
 
-def make_contact(comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> Contact:
-    """Contact of all yarns, with laws and spacing from the scene."""
+def make_contact(
+    comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody, is_image: npt.NDArray[np.bool_]
+) -> Contact:
+    """Contact of all yarns, with laws and spacing from the scene; images repeat the equilibrium of other yarns."""
     curves, options = body.layout.curves, scene.contact
     num_elements = np.diff(body.layout.curve_elements)
     lengths = np.add.reduceat(body.rest_lengths(), body.layout.curve_elements[:-1])
@@ -219,10 +225,16 @@ def make_contact(comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody) -> C
         radius=rope.radius,
         element_length=lengths / num_elements,
         body=0 * ones,
+        is_image=is_image,
     )
     crossings = engine_crossings(rope, lengths)
     contact = Contact(
-        comm, layout, crossings, smooth=True, symmetric=scene.solver.tangent == "symmetric"
+        comm,
+        layout,
+        crossings,
+        smooth=True,
+        symmetric=scene.solver.tangent == "symmetric",
+        num_threads=num_threads(comm),
     )
     radius = rope.radius.min()
     contact.pairing.spacing = (

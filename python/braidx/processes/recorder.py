@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -46,6 +45,7 @@ class Recorder:
         )
         self._costs: Mapping[str, PhaseCost] = resumed.costs if resumed else {}
         self._unknowns = self._elements = 0
+        self._threads = 1
         self._internal_energy = 0.0
         if not self.first:
             return
@@ -69,6 +69,7 @@ class Recorder:
     def begin(self, step: Step, model: RopeModel) -> None:
         """A step begins with a model."""
         self._unknowns = max(self._unknowns, model.system.num_free)
+        self._threads = model.contact.num_threads
 
     def record(self, model: RopeModel, step: Step, outcome: Outcome, seconds: float) -> None:
         """One more increment is accepted."""
@@ -156,7 +157,7 @@ class Recorder:
         cost.peak_memory_MB = memory
         cost.unknowns, cost.contact_elements = self._unknowns, self._elements
         cost.ranks = self.comm.size
-        cost.threads = int(os.environ.get("OPENBLAS_NUM_THREADS") or os.cpu_count() or 1)
+        cost.threads = self._threads
         summary.write(self.folder / "summary.json")
         return summary.as_dict()
 

@@ -22,12 +22,15 @@ class ConstraintMap:
         free: Engine numbers of the free unknowns, shape (num_free,).
         test: Displacements that equilibrium is asked for, shape as T: T itself, or T without the rows of images,
             whose equilibrium is that of what they are images of.
+        copies: How often the equilibrium of an unknown occurs, shape (num_unknowns,): once, or as often as images
+            repeat it and once more; images themselves count 0.
     """
 
     transform: sp.csr_matrix
     closure: sp.csr_matrix
     free: Ints
     test: sp.csr_matrix
+    copies: Floats
 
     def expand(self, free_values: Floats, constraint_values: Floats) -> Floats:
         """All unknowns q from the free ones p, shape (num_unknowns,)."""
@@ -92,7 +95,7 @@ class Constraints:
         self._rows: list[Ints] = []
         self._cols: list[Ints] = []
         self._factors: list[Floats] = []
-        self._is_image = np.zeros(num_unknowns, dtype=bool)
+        self._copies = np.ones(num_unknowns)
 
     def hold(self, unknowns: npt.ArrayLike) -> None:
         """Unknowns that take their value from the constraint values alone."""
@@ -123,9 +126,10 @@ class Constraints:
         weights = np.broadcast_to(np.asarray(factors, dtype=float), leaders.shape)
         self._add(spread.ravel(), leaders.ravel(), weights.ravel())
 
-    def repeat(self, unknowns: npt.ArrayLike) -> None:
-        """Unknowns whose equilibrium repeats that of those they follow, by symmetry."""
-        self._is_image[np.asarray(unknowns, dtype=np.int64)] = True
+    def repeat(self, unknowns: npt.ArrayLike, of: npt.ArrayLike) -> None:
+        """Unknowns whose equilibrium repeats that of others, which they follow, by symmetry."""
+        self._copies[np.asarray(unknowns, dtype=np.int64)] = 0.0
+        np.add.at(self._copies, np.asarray(of, dtype=np.int64), 1.0)
 
     def hold_mean(self, unknowns: npt.ArrayLike) -> None:
         """The mean of unknowns is the constraint value of the last one over their number."""
@@ -147,10 +151,10 @@ class Constraints:
             if power.nnz == 0:
                 free = np.flatnonzero(~self._followers)
                 transform = test = sp.csr_matrix(closure[:, free])
-                if self._is_image.any():
-                    test = sp.csr_matrix(sp.diags((~self._is_image).astype(float)) @ transform)
+                if not self._copies.all():
+                    test = sp.csr_matrix(sp.diags((self._copies > 0).astype(float)) @ transform)
                     test.eliminate_zeros()
-                return ConstraintMap(transform, sp.csr_matrix(closure), free, test)
+                return ConstraintMap(transform, sp.csr_matrix(closure), free, test, self._copies)
             closure = closure + power
         raise ValueError(
             "constraints of unknowns follow each other in a circle; release one of them"

@@ -34,7 +34,7 @@ class GlobalSystem:
         self.terms = list(terms)
         self.constraints = constraints
         self.constraint_values = constraint_values
-        self.term_norms = np.zeros(len(terms))
+        self.term_norms: Floats = np.zeros(len(terms))
         self.force_scale = 0.0
         self.q: Floats = np.zeros(len(constraint_values))
         self.vector = PETSc.Vec().createMPI((PETSc.DECIDE, self.num_free), comm=comm)
@@ -85,14 +85,15 @@ class GlobalSystem:
     def residual(self) -> Floats:
         """Residual of all unknowns at the current state, shape (num_unknowns,), N; zero in equilibrium where free.
 
-        At held unknowns it is the force that holds them (the reaction).
+        At held unknowns it is the force that holds them (the reaction). Images lack parts of it: terms may leave out
+        what acts among them, and norms count what they repeat (ConstraintMap.copies) instead.
         """
         parts = np.zeros((len(self.terms), len(self.q)))
         for part, term in zip(parts, self.terms, strict=True):
             term.add_residual(part)
         if self.comm.size > 1:
             self.comm.Allreduce(MPI.IN_PLACE, parts)
-        self.term_norms = np.sqrt((parts**2).sum(axis=1))
+        self.term_norms = np.sqrt(parts**2 @ self.constraints.copies)
         self.force_scale = float(self.term_norms.max())
         return parts.sum(axis=0)
 

@@ -30,6 +30,7 @@ def make_tubes(
         radius=np.full(count, radius),
         element_length=lengths / num_elements,
         body=np.arange(count, dtype=np.int32),
+        is_image=np.zeros(count, bool),
         smooth=False,
     )
     return tubes, np.hstack([np.concatenate(curves), directors]).ravel()

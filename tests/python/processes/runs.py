@@ -46,4 +46,5 @@ def environment():
         "OMPI_MCA_btl": "self,sm",
         "OMPI_MCA_mpi_yield_when_idle": "1",
         "OPENBLAS_NUM_THREADS": "1",
+        "BRAIDX_THREADS": "1",
     }
