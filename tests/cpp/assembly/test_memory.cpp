@@ -168,7 +168,9 @@ TEST_CASE("any number of threads remembers the same", "[memory]") {
 }
 
 TEST_CASE("normal forces add up, those on rigid surfaces by themselves", "[memory]") {
-    const Contact contact = mixed_contacts();
+    Contact contact = mixed_contacts();
+    for (auto& e : contact.elements) // all of them penetrate
+        e.allowance -= local_system(contact.rods.tubes, e, contact.rods.q).gap + 0.01;
     double rigid = 0, all = 0;
     for (const auto& e : contact.elements) {
         const auto r = reaction(contact.rods.tubes, e, contact.rods.q, contact.start, contact.laws);

@@ -47,13 +47,13 @@ Contact fill(Rods rods, bool wall, double mu, double slide, Random& random) {
 
 } // namespace
 
-Vector Contact::residual(const std::vector<double>& q) const {
+Vector Contact::residual(const std::vector<double>& q, int num_threads) const {
     Vector out = Vector::Zero(static_cast<Eigen::Index>(q.size()));
     add_residual(rods.tubes, elements, q, start, laws, {out.data(), q.size()}, num_threads);
     return out;
 }
 
-Matrix Contact::tangent(FrictionTangent tangent) const {
+Matrix Contact::tangent(FrictionTangent tangent, int num_threads) const {
     const auto pattern = make_pattern(rods.tubes, elements, 0, num_threads);
     std::vector<double> values(9 * pattern.row.size());
     add_tangent(rods.tubes, elements, pattern, rods.q, start, laws, tangent, values, num_threads);

@@ -14,11 +14,10 @@ struct Contact {
     ContactElements elements;
     std::vector<double> start; ///< unknowns at the start of the increment
     ContactLaws laws;
-    int num_threads = 1;
 
     Vector residual() const { return residual(rods.q); }
-    Vector residual(const std::vector<double>& q) const;
-    Matrix tangent(FrictionTangent tangent) const;
+    Vector residual(const std::vector<double>& q, int num_threads = 1) const;
+    Matrix tangent(FrictionTangent tangent, int num_threads = 1) const;
 
     /// Energy of the normal forces.
     double energy(const std::vector<double>& q) const;
