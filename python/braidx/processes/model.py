@@ -113,7 +113,7 @@ class RopeModel:
         return float(np.cross(q[vectors], self._from_outside(q)[vectors])[..., 2].sum())
 
     def _from_outside(self, q: Floats) -> Floats:
-        """What acts from outside, reactions and loads, shape (num_unknowns,), N: that on images is with leading yarns."""
+        """Reactions and loads, shape (num_unknowns,), N; those on images are with the yarns that lead them."""
         self.system.set_state(q)
         return self.system.constraints.copies * (self.system.residual() + self.loads.loads)
 
