@@ -102,7 +102,10 @@ def test_the_way_back_leads_on():
 def test_stabilisation_works_on_departures_from_the_guess():
     model, q = short_strand()
     increment = pull(model, q, 1e-3)
-    expected = model.proximal.viscosity @ (increment.q - model.proximal.start) ** 2
+    moved = increment.q - model.proximal.start
+    turned = model.proximal.turning.work(moved)
+    assert turned > 0
+    expected = model.proximal.viscosity @ moved**2 + turned
     assert increment.stabilisation_work == pytest.approx(expected)
     model.set_viscosity(0.0)
     assert model.proximal.work(increment.q) == 0.0
