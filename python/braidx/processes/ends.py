@@ -45,17 +45,16 @@ class Ends:
         still: np.ndarray | None = None,
         pulled: bool = False,
     ) -> None:
-        block, nodes = body.block, body.layout.curves
-        self._at = at.copy()
         self._options = options
-        self._block, self._nodes = block, nodes
-        self.nodes = EndNodes(block, nodes, self._at)
+        self.nodes = EndNodes(body.block, body.layout.curves, at.copy())
         self.length = self.nodes.length
 
-        leads = symmetry.leader == np.arange(len(nodes) - 1)
+        leads = symmetry.leader == np.arange(len(symmetry.leader))
         self._first, self._last = self.nodes.first[leads], self.nodes.last[leads]
         if still is not None:
-            constraints, self._values = self._stay(still, np.repeat(leads, np.diff(nodes)))
+            constraints, self._values = self._stay(
+                still, np.repeat(leads, np.diff(self.nodes.curves))
+            )
         else:
             constraints, self._values = self._across()
             self._along(constraints, pulled)
@@ -91,47 +90,49 @@ class Ends:
         return self._map, values
 
     def _across(self) -> tuple[Constraints, Floats]:
-        constraints, values = Constraints(len(self._at)), np.zeros(len(self._at))
+        constraints, values = Constraints(len(self.nodes.rest)), np.zeros(len(self.nodes.rest))
         first, last = self._nodal(self._first), self._nodal(self._last)
         if self._options.transverse == "periodic":
             constraints.tie(last, first)
-            values[last] = self._at[last] - self._at[first]
+            values[last] = self.nodes.rest[last] - self.nodes.rest[first]
         elif self._options.transverse == "fixed":
             for section in (first, last):
                 constraints.hold(section)
-                values[section] = self._at[section]
+                values[section] = self.nodes.rest[section]
         return constraints, values
 
     def _along(self, constraints: Constraints, pulled: bool) -> None:
         first, last = self._first + 2, self._last + 2
         constraints.hold(first)
-        self._values[first] = self._at[first]
+        self._values[first] = self.nodes.rest[first]
         if pulled:
             constraints.tie(last[1:], last[0])
-            self._values[last[1:]] = self._at[last[1:]] - self._at[last[0]]
+            self._values[last[1:]] = self.nodes.rest[last[1:]] - self.nodes.rest[last[0]]
         else:
             constraints.hold(last)
-            self._values[last] = self._at[last]
+            self._values[last] = self.nodes.rest[last]
 
     def _nodal(self, first_unknown: np.ndarray) -> np.ndarray:
         """Unknowns of end nodes that move across the axis: x, y, and directors where those are not free."""
         components = [0, 1]
-        if self._block > 3 and self._options.sections == "fixed":
-            components += range(3, self._block)
+        if self.nodes.block > 3 and self._options.sections == "fixed":
+            components += range(3, self.nodes.block)
         return (first_unknown[:, None] + np.array(components)).ravel()
 
     def _stay(self, still: np.ndarray, leads: np.ndarray) -> tuple[Constraints, Floats]:
-        held = still & np.repeat(leads, self._block)
-        constraints = Constraints(len(self._at))
+        held = still & np.repeat(leads, self.nodes.block)
+        constraints = Constraints(len(self.nodes.rest))
         constraints.hold(np.flatnonzero(held))
-        return constraints, np.where(held, self._at, 0.0)
+        return constraints, np.where(held, self.nodes.rest, 0.0)
 
     def _turn(self, constraints: Constraints, symmetry: Rotations, yarn: int) -> None:
         """Ties positions and directors of a yarn to those of the one that it is an image of."""
         angle = 2.0 * np.pi * symmetry.turns[yarn] / symmetry.fold
-        unknowns = np.arange(*self._nodes[[yarn, yarn + 1]]) * self._block
-        to_leader = (self._nodes[symmetry.leader[yarn]] - self._nodes[yarn]) * self._block
-        for vector in range(0, self._block, 3):
+        unknowns = np.arange(*self.nodes.curves[[yarn, yarn + 1]]) * self.nodes.block
+        to_leader = (
+            self.nodes.curves[symmetry.leader[yarn]] - self.nodes.curves[yarn]
+        ) * self.nodes.block
+        for vector in range(0, self.nodes.block, 3):
             x = unknowns + vector
             across = np.column_stack([x, x + 1]) + to_leader
             constraints.combine_each(x, across, [np.cos(angle), -np.sin(angle)])

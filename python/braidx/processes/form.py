@@ -81,16 +81,15 @@ class Former:
         self._radius = radius
         element = scene.rope.pitch / scene.yarn.elements_per_pitch
         self._viscosity = step.viscosity * step.tension / element
-        self._turning = element**2 if keeps_lengths(scene, state) else 0.0
+        self._in_die, self._keeps_lengths = in_die(scene, state), keeps_lengths(scene, state)
+        self._turning = element**2 if self._keeps_lengths else 0.0
         contact = model.contact
         contact.laws.friction = [0.0]
-        contact.symmetrised = (
-            True  # a rope that is far from its rest gains nothing from an exact one
-        )
+        # A rope that is far from its rest gains nothing from the exact tangent.
+        contact.symmetrised = True
         contact.laws.gap_step = step.gap_reduction * radius
         contact.pairing.keep_side = False
         self._spacing = contact.pairing.spacing
-        self._in_die = in_die(scene, state)
         self._number = {
             "done": 0.0,
             "separated": 0.0,
@@ -104,7 +103,6 @@ class Former:
             "stiffening": 1.0,
             **state.progress,
         }
-        self._keeps_lengths = keeps_lengths(scene, state)
         if self._keeps_lengths:
             force = state.results["formed_force"] / model.rope.num_yarns
             model.loads.loads[model.ends.nodes.last_axial] = force
