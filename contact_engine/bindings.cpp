@@ -25,12 +25,12 @@ std::vector<Tube> make_tubes(const In<std::int64_t>& first_unknown,
                              const In<std::int32_t>& num_elements, const In<std::int32_t>& degree,
                              const In<std::int32_t>& block, const In<double>& radius,
                              const In<double>& element_length, const In<std::int32_t>& body,
-                             const In<bool>& is_image, bool smooth) {
+                             const In<bool>& is_image, bool smooth, int beyond) {
     std::vector<Tube> tubes;
     for (std::size_t i = 0; i < radius.size(); ++i)
         tubes.push_back({first_unknown.data()[i], num_elements.data()[i], degree.data()[i],
                          block.data()[i], radius.data()[i], element_length.data()[i],
-                         body.data()[i], smooth, is_image.data()[i]});
+                         body.data()[i], smooth, is_image.data()[i], beyond});
     return tubes;
 }
 
@@ -118,7 +118,7 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("friction", &ContactLaws::friction);
 
     m.def("make_tubes", &make_tubes, "first_unknown"_a, "num_elements"_a, "degree"_a, "block"_a,
-          "radius"_a, "element_length"_a, "body"_a, "is_image"_a, "smooth"_a);
+          "radius"_a, "element_length"_a, "body"_a, "is_image"_a, "smooth"_a, "beyond"_a = 0);
     m.def("make_crossings", &make_crossings, "tubes"_a, "windows"_a, "order"_a, "axis"_a);
     m.def(
         "make_contact_elements",
@@ -167,6 +167,16 @@ NB_MODULE(braidx_engine, m) {
             });
         },
         "options"_a, "tube"_a, "other"_a);
+    m.def(
+        "cell_lengths",
+        [](const std::vector<Tube>& tubes, const In<std::int64_t>& a, const In<std::int64_t>& b,
+           double spacing) {
+            return make_array<double>({a.size()}, [&](double* out) {
+                for (std::size_t i = 0; i < a.size(); ++i)
+                    out[i] = cell_length(tubes[a.data()[i]], tubes[b.data()[i]], spacing);
+            });
+        },
+        "tubes"_a, "a"_a, "b"_a, "spacing"_a);
     m.def("make_pattern", &make_pattern, "tubes"_a, "elements"_a, "reach"_a = 0.0,
           "num_threads"_a = 1, without_gil);
     m.def("place", &place, "pattern"_a, "tubes"_a, "elements"_a, "num_threads"_a = 1, without_gil);

@@ -25,7 +25,8 @@ ContactElements Builder::zone(const ProximityZone& zone,
                               const std::vector<Station>& stations) const {
     const auto a = zone.tube_a, b = zone.tube_b;
     const auto movable = [&](std::int32_t t, double s) {
-        return s > 0 && s < tubes_[t].num_elements && (tubes_[t].smooth || tubes_[t].degree == 2);
+        return s > tubes_[t].first_element() && s < tubes_[t].end_element() &&
+               (tubes_[t].smooth || tubes_[t].degree == 2);
     };
     ContactElements out;
     for (const auto& s : stations) {
@@ -74,7 +75,9 @@ ContactElements Builder::wall(std::int32_t a, const Rigid& rigid, std::int32_t n
 ContactElements Builder::crossing(const Crossing& crossing, std::int32_t number,
                                   const std::vector<OrientedStation>& stations) const {
     ContactElements out;
-    for (const auto& [s, normal, allowance] : stations)
+    for (const auto& [s, normal, allowance] : stations) {
+        if (!is_kept(tubes_[crossing.tube_a], tubes_[crossing.tube_b], s))
+            continue;
         out.push_back(complete({.tube_a = crossing.tube_a,
                                 .tube_b = crossing.tube_b,
                                 .s_a = s.s_a,
@@ -85,6 +88,7 @@ ContactElements Builder::crossing(const Crossing& crossing, std::int32_t number,
                                 .stiffness = 0,
                                 .allowance = allowance,
                                 .crossing = number}));
+    }
     share_stiffness(out);
     return out;
 }

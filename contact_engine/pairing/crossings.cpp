@@ -115,7 +115,7 @@ std::vector<OrientedStation> crossing_stations(const std::vector<Tube>& tubes, U
         if (beside(at_point) || separated(at_point))
             return {};
     }
-    auto stations = stations_along(tubes, q, crossing, spacing);
+    auto stations = stations_along(tubes, q, crossing, cell_length(pair.a, pair.b, spacing));
     if (point)
         stations.push_back(*point);
     std::vector<OrientedStation> out;

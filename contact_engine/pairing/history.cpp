@@ -15,9 +15,14 @@ History::History(const ContactElements& previous, const std::vector<Tube>& tubes
 const ContactElement* History::predecessor(const ContactElement& element, double reach) const {
     const ContactElement* best = nullptr;
     for_each(element.tube_a, element.tube_b, element.station, [&](const ContactElement& old) {
-        double apart = std::abs(old.s_a - element.s_a) * tubes_[element.tube_a].element_length;
-        if (!against_rigid(element))
-            apart += std::abs(old.s_b - element.s_b) * tubes_[element.tube_b].element_length;
+        const Tube& a = tubes_[element.tube_a];
+        double apart = old.s_a - element.s_a;
+        const double periods = a.is_periodic() ? std::round(apart / a.num_elements) : 0;
+        apart = std::abs(apart - periods * a.num_elements) * a.element_length;
+        if (!against_rigid(element)) {
+            const Tube& b = tubes_[element.tube_b];
+            apart += std::abs(old.s_b - periods * b.num_elements - element.s_b) * b.element_length;
+        }
         if (apart < reach) {
             reach = apart;
             best = &old;

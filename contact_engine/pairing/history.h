@@ -15,7 +15,7 @@ public:
     History(const ContactElements& previous, const std::vector<Tube>& tubes);
 
     /// Nearest previous element with the same tubes and station within `reach` (mm of arc length),
-    /// or none.
+    /// or none; on periodic tubes a period away is as near.
     const ContactElement* predecessor(const ContactElement& element, double reach) const;
 
     /// Calls visit(element) for every previous element of a station of two tubes, the last one

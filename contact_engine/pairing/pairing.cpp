@@ -15,27 +15,36 @@ using Tubes = std::vector<Tube>;
 /// Contact elements found on several threads, in the order in which one would have found them.
 using Parts = std::vector<ContactElements>;
 
+/// Stations of each crossing that is not separated yet.
+using CrossingStations = std::vector<std::vector<OrientedStation>>;
+
 /// Crossings not separated yet, by pair of tubes: there the stacking order rules, elsewhere
 /// geometry.
 using Unseparated = std::multimap<std::pair<std::int32_t, std::int32_t>, const Crossing*>;
 
-Parts crossing_parts(const Builder& builder, const Surfaces& surfaces, Unknowns q,
-                     const PairingOptions& options) {
+CrossingStations own_crossings(const Surfaces& surfaces, Unknowns q,
+                               const PairingOptions& options) {
     const auto& crossings = surfaces.crossings;
     return parallel_map(crossings.size(), options.num_threads, [&](std::size_t i) {
         const auto& c = crossings[i];
         if (!is_own(options, c.tube_a, c.tube_b))
-            return ContactElements{};
-        return builder.crossing(
-            c, static_cast<std::int32_t>(i),
-            crossing_stations(surfaces.tubes, q, c, options.spacing, options.crossing));
+            return std::vector<OrientedStation>{};
+        return crossing_stations(surfaces.tubes, q, c, options.spacing, options.crossing);
     });
 }
 
-Unseparated unseparated_crossings(const std::vector<Crossing>& crossings, const Parts& parts) {
+Parts crossing_parts(const Builder& builder, const std::vector<Crossing>& crossings,
+                     const CrossingStations& stations, int num_threads) {
+    return parallel_map(crossings.size(), num_threads, [&](std::size_t i) {
+        return builder.crossing(crossings[i], static_cast<std::int32_t>(i), stations[i]);
+    });
+}
+
+Unseparated unseparated_crossings(const std::vector<Crossing>& crossings,
+                                  const CrossingStations& stations) {
     Unseparated out;
     for (std::size_t i = 0; i < crossings.size(); ++i)
-        if (!parts[i].empty())
+        if (!stations[i].empty())
             out.emplace(std::pair(crossings[i].tube_a, crossings[i].tube_b), &crossings[i]);
     return out;
 }
@@ -47,6 +56,11 @@ bool covers(const ProximityZone& zone, const Station& s) {
     });
 }
 
+/// Numbers of periods away from an element where it occurs again.
+std::vector<int> periods_of(const TubePair& pair) {
+    return pair.a.is_periodic() && pair.b.is_periodic() ? std::vector{0, -1, 1} : std::vector{0};
+}
+
 /// Point stations of before, at the closest approaches they have now. Their weights stay while the
 /// equilibrium of an increment is being found: a weight and the shape of the yarns that it depends
 /// on would chase each other. One whose approach is gone ends: line stations take its length over,
@@ -55,14 +69,16 @@ std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone
                                  const History& history, double spacing) {
     std::vector<Station> out;
     history.for_each(zone.tube_a, zone.tube_b, point_station, [&](const ContactElement& old) {
-        const double arc_a = old.s_a * pair.a.element_length,
-                     arc_b = old.s_b * pair.b.element_length;
-        const auto at = pair.closest(arc_a, arc_b);
-        if (!at || std::abs(at->first - arc_a) > spacing)
-            return;
-        const auto kept = pair.station(at->first, at->second, old.weight, point_station);
-        if (covers(zone, kept))
-            add_point(out, pair, kept, spacing);
+        for (const int periods : periods_of(pair)) {
+            const double arc_a = old.s_a * pair.a.element_length + periods * pair.a.length(),
+                         arc_b = old.s_b * pair.b.element_length + periods * pair.b.length();
+            const auto at = pair.closest(arc_a, arc_b);
+            if (!at || std::abs(at->first - arc_a) > spacing)
+                continue;
+            const auto kept = pair.station(at->first, at->second, old.weight, point_station);
+            if (covers(zone, kept))
+                add_point(out, pair, kept, spacing);
+        }
     });
     return out;
 }
@@ -70,14 +86,13 @@ std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone
 /// Closest approaches along line stations and near point stations of before.
 std::vector<Station> new_points(const TubePair& pair, const ProximityZone& zone,
                                 const std::vector<Station>& line, const History& history,
-                                const PairingOptions& options) {
-    auto out = point_stations(pair, line, options.spacing, options.point_tolerance);
-    for (const auto& old : kept_points(pair, zone, history, options.spacing)) {
+                                double spacing, double tolerance) {
+    auto out = point_stations(pair, line, spacing, tolerance);
+    for (const auto& old : kept_points(pair, zone, history, spacing)) {
         const auto at = point_station_near(pair, old.s_a * pair.a.element_length,
-                                           old.s_b * pair.b.element_length, options.spacing,
-                                           options.point_tolerance);
+                                           old.s_b * pair.b.element_length, spacing, tolerance);
         if (at && covers(zone, *at))
-            add_point(out, pair, *at, options.spacing);
+            add_point(out, pair, *at, spacing);
     }
     return out;
 }
@@ -87,15 +102,18 @@ std::vector<Station> zone_stations(const Tubes& tubes, Unknowns q, const Proximi
                                    const History& history, const Unseparated& unseparated,
                                    const PairingOptions& options) {
     const TubePair pair{tubes[zone.tube_a], tubes[zone.tube_b], q, zone.orientation};
-    auto line = line_stations(pair, zone.pairs, options.spacing);
-    const auto points = options.keep_points ? kept_points(pair, zone, history, options.spacing)
-                                            : new_points(pair, zone, line, history, options);
+    const double spacing = cell_length(pair.a, pair.b, options.spacing);
+    auto line = line_stations(pair, zone.pairs, spacing);
+    const auto points =
+        options.keep_points
+            ? kept_points(pair, zone, history, spacing)
+            : new_points(pair, zone, line, history, spacing, options.point_tolerance);
     auto stations = share_length(std::move(line), points, pair);
     const double reach = pair.a.radius + pair.b.radius + options.search.margin;
     const auto [first, last] = unseparated.equal_range({zone.tube_a, zone.tube_b});
     std::erase_if(stations, [&](const Station& s) {
         const double arc_a = s.s_a * pair.a.element_length, arc_b = s.s_b * pair.b.element_length;
-        return pair.across(s).norm() > reach || std::any_of(first, last, [&](const auto& c) {
+        return !is_kept(pair.a, pair.b, s) || pair.across(s).norm() > reach || std::any_of(first, last, [&](const auto& c) {
                    return c.second->contains(arc_a, arc_b);
                });
     });
@@ -153,8 +171,10 @@ ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
                                       const ContactElements& previous,
                                       const PairingOptions& options) {
     const Builder builder(surfaces.tubes, q, previous, options);
-    const auto crossings = crossing_parts(builder, surfaces, q, options);
-    const auto unseparated = unseparated_crossings(surfaces.crossings, crossings);
+    const auto stations = own_crossings(surfaces, q, options);
+    const auto crossings =
+        crossing_parts(builder, surfaces.crossings, stations, options.num_threads);
+    const auto unseparated = unseparated_crossings(surfaces.crossings, stations);
     const auto zones = zone_parts(builder, surfaces.tubes, q, unseparated, options);
     const auto walls = wall_parts(builder, surfaces, options);
     return joined({&crossings, &zones, &walls});

@@ -12,7 +12,7 @@ namespace {
 /// Curve point at a rest arc length (mm). Past its ends a curve goes on straight, so that the cell
 /// in which a tube ends is cut at the section of the other tube that faces the end.
 CurvePoint extended_point(const Tube& tube, Unknowns q, double arc) {
-    const double inside = std::clamp(arc, 0.0, tube.length());
+    const double inside = std::clamp(arc, tube.low(), tube.high());
     auto out = curve_point(tube, q, inside / tube.element_length);
     out.position += (arc - inside) * out.tangent;
     return out;
@@ -39,7 +39,7 @@ std::optional<double> TubePair::facing(double mean, double half_difference) cons
 
 std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double arc_b) const {
     const auto inside = [](const Tube& tube, double arc) {
-        return arc >= 0 && arc <= tube.length();
+        return arc >= tube.low() && arc <= tube.high();
     };
     std::optional<std::pair<double, double>> best;
     double best_distance = std::numeric_limits<double>::infinity();
@@ -94,8 +94,30 @@ double TubePair::sharpness(double arc_a, double arc_b) const {
 }
 
 Station TubePair::station(double arc_a, double arc_b, double weight, std::int64_t index) const {
-    return {std::clamp(arc_a / a.element_length, 0.0, double(a.num_elements)),
-            std::clamp(arc_b / b.element_length, 0.0, double(b.num_elements)), weight, index};
+    const auto within = [](const Tube& tube, double arc) {
+        return std::clamp(arc / tube.element_length, double(tube.first_element()),
+                          double(tube.end_element()));
+    };
+    return {within(a, arc_a), within(b, arc_b), weight, index};
+}
+
+double cell_length(const Tube& a, const Tube& b, double spacing) {
+    if (!a.is_periodic() || !b.is_periodic())
+        return spacing;
+    const double element = 0.5 * (a.element_length + b.element_length);
+    if (spacing <= element)
+        return element / std::round(element / spacing);
+    auto elements = std::lround(spacing / element);
+    while (a.num_elements % elements != 0)
+        --elements;
+    return element * static_cast<double>(elements);
+}
+
+bool is_kept(const Tube& a, const Tube& b, const Station& s) {
+    if (!a.is_periodic() || !b.is_periodic())
+        return true;
+    const double mean = 0.5 * (s.s_a * a.element_length + s.s_b * b.element_length);
+    return mean >= 0 && mean < 0.5 * (a.length() + b.length());
 }
 
 Vec3 TubePair::across(const Station& station) const {
@@ -136,11 +158,11 @@ std::map<std::int64_t, Guess> covered_cells(const TubePair& tubes,
 /// Part of a cell where both tubes exist, for a given half difference.
 std::pair<double, double> cut_at_ends(const TubePair& tubes, double low, double high,
                                       double half_difference) {
-    const double o = tubes.orientation, la = tubes.a.length(), lb = tubes.b.length();
-    const double start_b = o > 0 ? half_difference : half_difference - lb;
-    const double end_b = o > 0 ? half_difference + lb : half_difference;
-    return {std::max({low, -half_difference, start_b}),
-            std::min({high, la - half_difference, end_b})};
+    const double o = tubes.orientation;
+    const auto& [a, b] = std::tie(tubes.a, tubes.b);
+    const double start_b = o > 0 ? b.low() : -b.high(), end_b = o > 0 ? b.high() : -b.low();
+    return {std::max({low, a.low() - half_difference, half_difference + start_b}),
+            std::min({high, a.high() - half_difference, half_difference + end_b})};
 }
 
 } // namespace

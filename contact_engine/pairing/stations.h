@@ -11,7 +11,9 @@ namespace braidx {
 /// The mean curve of two tubes is parametrised by the mean rest arc length m = (S_a + o S_b) / 2, o
 /// the orientation. Line stations are the middles of cells [k, k + 1] spacing of m, cut at the ends
 /// of the tubes: they are fixed in the material, the same from one update to the next, and the same
-/// when a and b are swapped. A point station stands where the distance is smallest, for curves that
+/// when a and b are swapped. Of the stations of periodic tubes, each of which occurs once more a
+/// period away, those are kept whose mean distance from the first nodes is within one period; their
+/// cells divide it. A point station stands where the distance is smallest, for curves that
 /// cross.
 struct Station {
     double s_a, s_b;    ///< material coordinates, in elements
@@ -49,12 +51,15 @@ struct TubePair {
     Vec3 across(const Station& station) const;
 };
 
+/// Length of the cells of line stations of two tubes when about `spacing` is wanted, mm.
+double cell_length(const Tube& a, const Tube& b, double spacing);
+
+/// Whether a station is the one that is kept among those that are periods apart.
+bool is_kept(const Tube& a, const Tube& b, const Station& station);
+
 /// Line stations of the cells that the element pairs cover.
 std::vector<Station> line_stations(const TubePair& tubes, const std::vector<ElementPair>& pairs,
                                    double spacing);
-
-/// Adds a point station unless one stands nearer than half its length already.
-void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point);
 
 /// Adds a point station unless one stands nearer than half a spacing already.
 void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point,

@@ -31,7 +31,7 @@ struct CellHash {
 std::vector<Segment> segments_of(const std::vector<Tube>& tubes, Unknowns q) {
     std::vector<Segment> out;
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(tubes.size()); ++t)
-        for (std::int32_t e = 0; e < tubes[t].num_elements; ++e) {
+        for (auto e = tubes[t].first_element(); e < tubes[t].end_element(); ++e) {
             const auto at = [&](std::int32_t node) {
                 return vector_at(q, tubes[t].unknown_of(node));
             };

@@ -36,7 +36,7 @@ Support smooth_support(const Tube& tube, double s) {
         v[far] -= v[phantom];
         v[phantom] = 0.0;
     };
-    const bool first = e == 0, last = e == tube.num_elements - 1;
+    const bool first = e == tube.first_element(), last = e == tube.end_element() - 1;
     if (first) {
         fold(w, 0, 1, 2);
         fold(d, 0, 1, 2);

@@ -12,7 +12,8 @@ namespace braidx {
 /// directors.
 ///
 /// Material coordinates `s` count elements: s = 0 at the first node, s = num_elements at the last
-/// one.
+/// one. The tube of a periodic sample goes on past both for `beyond` elements, whose nodes repeat
+/// those at its other end.
 struct Tube {
     std::int64_t first_unknown; ///< engine number of the first unknown of the first node
     std::int32_t num_elements;
@@ -24,13 +25,21 @@ struct Tube {
     bool smooth;           ///< C1 contact geometry through the nodes (degree 1 only)
     bool is_image = false; ///< its equilibrium repeats that of another tube, by symmetry: nobody
                            ///< asks for the rows of its unknowns in residual and tangent
+    std::int32_t beyond = 0; ///< elements past either end, for contact across the ends of a sample
 
+    bool is_periodic() const { return beyond > 0; }
+    std::int32_t first_element() const { return -beyond; }
+    std::int32_t end_element() const { return num_elements + beyond; } ///< one past the last
+    /// Rest arc lengths of the two ends of all that there is, mm.
+    double low() const { return first_element() * element_length; }
+    double high() const { return end_element() * element_length; }
     double length() const { return num_elements * element_length; }
     std::int32_t num_nodes() const { return num_elements * degree + 1; }
     bool has_directors() const { return block == 9; }
     /// Finite element that holds s.
     std::int32_t element_of(double s) const {
-        return std::clamp(static_cast<std::int32_t>(std::floor(s)), 0, num_elements - 1);
+        return std::clamp(static_cast<std::int32_t>(std::floor(s)), first_element(),
+                          end_element() - 1);
     }
     std::int64_t unknown_of(std::int32_t node) const {
         return first_unknown + std::int64_t{node} * block;

@@ -30,6 +30,7 @@ class SectionTilt:
     """
 
     pattern_version = 1
+    spread = None
 
     def __init__(
         self, layout: CurveLayout, rest: FloatArray, shear_stiffness: float, mine: bool = True

@@ -9,9 +9,11 @@ from typing import Any
 import braidx_engine as engine
 import numpy as np
 import numpy.typing as npt
+import scipy.sparse as sp
 from mpi4py import MPI
 
 from ..system.terms import Floats, Ints
+from .beyond import Beyond
 
 
 @dataclass(frozen=True)
@@ -23,6 +25,7 @@ class TubeLayout:
         num_elements, degree, block: shape (num_tubes,).
         radius, element_length: mm, shape (num_tubes,).
         body: Number of the body, for friction per pair of bodies, shape (num_tubes,).
+        beyond: Elements that tubes go on for past either end, as they do at the other end (periodic samples).
         is_image: Whether the equilibrium of a tube repeats another's by symmetry, shape (num_tubes,); None: nowhere.
     """
 
@@ -33,6 +36,7 @@ class TubeLayout:
     radius: Floats
     element_length: Floats
     body: Ints
+    beyond: int = 0
     is_image: npt.NDArray[np.bool_] | None = None
 
 
@@ -43,6 +47,7 @@ class Contact:
 
     Attributes:
         layout: The tubes.
+        beyond: What is seen past their ends in a periodic sample, or None.
         elements: The current contact elements (engine object).
         laws: Laws of contact (engine object): regularisation, reversible slip, gap step, friction.
         pairing: How contact elements are made (engine object).
@@ -63,7 +68,8 @@ class Contact:
         symmetric: bool,
         num_threads: int = 1,
     ) -> None:
-        self.tubes = engine_tubes(layout, smooth)
+        self.beyond = nodes_beyond(layout)
+        self.tubes = engine_tubes(layout, smooth, self.beyond)
         self.comm, self.layout = comm, layout
         self.min_radius = float(layout.radius.min())
         self.crossings = crossings if crossings is not None else no_crossings()
@@ -89,7 +95,7 @@ class Contact:
     def update(self, q: Floats) -> None:
         """Makes contact elements anew at the unknowns q; memory is carried over."""
         self.elements = engine.make_contact_elements(
-            self.tubes, self.crossings, self.rigid, q, self.elements, self.pairing
+            self.tubes, self.crossings, self.rigid, self._seen(q), self.elements, self.pairing
         )
         self._lay_out()
 
@@ -121,7 +127,12 @@ class Contact:
             contact elements.
         """
         work, penetration = engine.commit(
-            self.tubes, self.elements, q, self.start, self.laws, self.num_threads
+            self.tubes,
+            self.elements,
+            self._seen(q),
+            self._seen(self.start),
+            self.laws,
+            self.num_threads,
         )
         self.start = (
             q  # the slip of the increment is remembered now: forces at q stay what they are
@@ -140,19 +151,31 @@ class Contact:
         ):  # whether zones near the tolerance are raised, too, is decided together
             deepest = self.deepest_penetration(q)
         changed = engine.adapt_stiffness(
-            self.tubes, self.elements, q, tolerance, growth, deepest, self.num_threads
+            self.tubes,
+            self.elements,
+            self._seen(q),
+            tolerance,
+            growth,
+            deepest,
+            self.num_threads,
         )
         return self.comm.allreduce(changed)
 
     def deepest_penetration(self, q: Floats) -> float:
         """Of all processes, mm, at least 0."""
-        deepest = engine.deepest_penetration(self.tubes, self.elements, q, self.num_threads)
+        seen = self._seen(q)
+        deepest = engine.deepest_penetration(self.tubes, self.elements, seen, self.num_threads)
         return self.comm.allreduce(deepest, op=MPI.MAX)
 
     def rigid_share(self, q: Floats) -> float:
         """Of all normal forces of all processes, the share that acts on rigid surfaces."""
         sums = engine.sum_normal_forces(
-            self.tubes, self.elements, q, self.start, self.laws, self.num_threads
+            self.tubes,
+            self.elements,
+            self._seen(q),
+            self._seen(self.start),
+            self.laws,
+            self.num_threads,
         )
         rigid, everywhere = self.comm.allreduce(np.array(sums))
         return float(rigid / max(everywhere, 1e-300))
@@ -188,9 +211,19 @@ class Contact:
     def results(self, q: Floats) -> dict[str, np.ndarray]:
         """Results per contact element of this process: gap, normal_force, friction_force, position, normal..."""
         forces = engine.contact_results(
-            self.tubes, self.elements, q, self.start, self.laws, self.num_threads
+            self.tubes,
+            self.elements,
+            self._seen(q),
+            self._seen(self.start),
+            self.laws,
+            self.num_threads,
         )
         return {**self.elements.arrays(), **forces}
+
+    def crossing_heights(self, q: Floats) -> Floats:
+        """Signed distance of yarns at each prescribed crossing within the sample, see the engine, mm."""
+        heights: Floats = engine.crossing_heights(self.tubes, self.crossings, self._seen(q))
+        return heights
 
     def set_state(self, q: Floats) -> None:
         """See Term."""
@@ -198,15 +231,18 @@ class Contact:
 
     def add_residual(self, residual: Floats) -> None:
         """See Term."""
+        seen, start = self._seen(self._q), self._seen(self.start)
+        forces = np.zeros_like(seen) if self.beyond else residual
         engine.add_residual(
-            self.tubes,
-            self.elements,
-            self._q,
-            self.start,
-            self.laws,
-            residual,
-            self.num_threads,
+            self.tubes, self.elements, seen, start, self.laws, forces, self.num_threads
         )
+        if self.beyond:
+            self.beyond.give_back(forces, residual)
+
+    @property
+    def spread(self) -> sp.csr_matrix | None:
+        """See Term."""
+        return self.beyond.spread if self.beyond else None
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
@@ -219,14 +255,18 @@ class Contact:
             self.tubes,
             self.elements,
             self._pattern,
-            self._q,
-            self.start,
+            self._seen(self._q),
+            self._seen(self.start),
             self.laws,
             self.symmetric_tangent,
             values,
             self.num_threads,
         )
         return values
+
+    def _seen(self, q: Floats) -> Floats:
+        """All unknowns in the numbers of contact."""
+        return self.beyond.see(q) if self.beyond else q
 
     def _lay_out(self) -> None:
         """Finds the contact elements' places in the tangent, in a new pattern where the last one lacks some."""
@@ -243,19 +283,30 @@ class Contact:
         self._cols = np.broadcast_to(col[:, None, None] + within[None, None, :], shape).ravel()
 
 
-def engine_tubes(layout: TubeLayout, smooth: bool) -> Any:
+def nodes_beyond(layout: TubeLayout) -> Beyond | None:
+    """What contact sees past the ends of tubes of a periodic sample."""
+    if not layout.beyond:
+        return None
+    degree = int(layout.degree[0])
+    num_nodes = layout.num_elements * degree + 1
+    return Beyond.of(layout.first_unknown, num_nodes, layout.block, layout.beyond * degree)
+
+
+def engine_tubes(layout: TubeLayout, smooth: bool, beyond: Beyond | None = None) -> Any:
     """Engine object of tubes; smooth: contact geometry without the kinks of finite elements of degree 1."""
     int32 = {
         name: getattr(layout, name).astype(np.int32)
         for name in ("num_elements", "degree", "block", "body")
     }
     is_image = np.zeros(len(layout.radius), bool) if layout.is_image is None else layout.is_image
+    first = beyond.first_unknown if beyond else layout.first_unknown
     return engine.make_tubes(
-        first_unknown=layout.first_unknown.astype(np.int64),
+        first_unknown=first.astype(np.int64),
         radius=layout.radius.astype(float),
         element_length=layout.element_length.astype(float),
         is_image=is_image,
         smooth=smooth,
+        beyond=layout.beyond,
         **int32,
     )
 

@@ -38,6 +38,12 @@ class Rope:
     def num_strands(self) -> int:
         return len(self.strand_lines)
 
+    @property
+    def num_yarn_crossings(self) -> int:
+        """Crossings of a yarn with a yarn, in all crossings of their strands."""
+        yarns = np.bincount(self.strand, minlength=self.num_strands)
+        return int(yarns[self.crossings.strand_a] @ yarns[self.crossings.strand_b])
+
 
 @dataclass(frozen=True)
 class StrandHelix:

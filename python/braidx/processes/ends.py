@@ -23,6 +23,7 @@ class Ends:
     Attributes:
         nodes: The end nodes.
         grouped: Whether groups of ends have conditions of their own.
+        periodic: Whether the rope goes on past its ends as it does at the other end.
         length: Of the sample in the state whose end sections are held, mm.
 
     Args:
@@ -30,7 +31,7 @@ class Ends:
         options: What the scene says.
         symmetry: Yarns that follow others.
         at: Unknowns of the state whose end sections are held, shape (num_unknowns,).
-        still: Unknowns that stay where they are, if only a part of the rope is to move, ends not among it.
+        cut: Whether the rope ends there, even if its ends are alike.
         pulled: Whether a force moves the last section, as one plane, instead of its being held axially.
     """
 
@@ -42,22 +43,18 @@ class Ends:
         options: EndConditions,
         symmetry: Rotations,
         at: Floats,
-        still: np.ndarray | None = None,
         pulled: bool = False,
+        cut: bool = False,
     ) -> None:
         self._options = options
+        self.periodic = options.transverse == "periodic" and not cut
         self.nodes = EndNodes(body.block, body.layout.curves, at.copy())
         self.length = self.nodes.length
 
         leads = symmetry.leader == np.arange(len(symmetry.leader))
         self._first, self._last = self.nodes.first[leads], self.nodes.last[leads]
-        if still is not None:
-            constraints, self._values = self._stay(
-                still, np.repeat(leads, np.diff(self.nodes.curves))
-            )
-        else:
-            constraints, self._values = self._across()
-            self._along(constraints, pulled)
+        constraints, self._values = self._across()
+        self._along(constraints, pulled)
         for image in np.flatnonzero(~leads):
             self._turn(constraints, symmetry, image)
         self._map = constraints.resolve()
@@ -118,12 +115,6 @@ class Ends:
         if self.nodes.block > 3 and self._options.sections == "fixed":
             components += range(3, self.nodes.block)
         return (first_unknown[:, None] + np.array(components)).ravel()
-
-    def _stay(self, still: np.ndarray, leads: np.ndarray) -> tuple[Constraints, Floats]:
-        held = still & np.repeat(leads, self.nodes.block)
-        constraints = Constraints(len(self.nodes.rest))
-        constraints.hold(np.flatnonzero(held))
-        return constraints, np.where(held, self.nodes.rest, 0.0)
 
     def _turn(self, constraints: Constraints, symmetry: Rotations, yarn: int) -> None:
         """Ties positions and directors of a yarn to those of the one that it is an image of."""

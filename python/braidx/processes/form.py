@@ -147,12 +147,13 @@ class Former:
     @property
     def _stage(self) -> str:
         """Name of the state that this stage ends with."""
-        names = {"cell": "one pitch", "released": "released", "joints": "joined"}
-        return "in the die" if self._in_die else names.get(self.state.model, "formed")
+        names = {"cell": "one pitch", "released": "released", "forming": "formed"}
+        return "in the die" if self._in_die else names[self.state.model]
 
     def check(self) -> None:
         """Raises NotConverged unless the shape found is one of yarns that do not penetrate."""
         contact = self.model.contact
+        contact.set_state(self.state.q)
         deepest = contact.deepest_penetration(self.state.q)
         wrong = wrong_side_crossings(self.model, self.state.q)
         if not self._has_come or wrong:
@@ -192,9 +193,7 @@ class Former:
         options = IncrementOptions(max_updates=1, in_passing=True)
         newton.tolerance, newton.max_iterations = PASSING
         if number["pressed"] and number["open"]:
-            # Beside a joint yarns are held where they touch: no penalty would bring them apart.
-            joins = self.state.model == "joints"
-            options = IncrementOptions(penetration=None if joins else self._tolerance)
+            options = IncrementOptions(penetration=self._tolerance)
             newton.restore_options()
             contact.laws.gap_step = -1.0
             friction = self.step.friction
@@ -250,5 +249,6 @@ def spread_nodes(lines: tuple[Floats, ...]) -> Floats:
 
 def wrong_side_crossings(model: RopeModel, q: Floats) -> int:
     """Number of yarn crossings, seen along the radial direction, where the wrong yarn is outside."""
-    heights = engine.crossing_heights(model.contact.tubes, model.contact.crossings, q)
+    # Those near an end of a periodic sample come once more, last.
+    heights = model.contact.crossing_heights(q)[: model.rope.num_yarn_crossings]
     return int(np.sum(heights < 0))

@@ -36,6 +36,7 @@ class GroupedEnds:
     """
 
     grouped: ClassVar[bool] = True
+    periodic: ClassVar[bool] = False
 
     def __init__(self, nodes: EndNodes, options: EndConditions, rope: Rope) -> None:
         self.nodes, self._options = nodes, options

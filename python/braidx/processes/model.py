@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -25,6 +26,8 @@ from ..system.turning import Turning
 from .ends import Ends
 from .grouped_ends import GroupedEnds
 from .threads import num_threads
+
+WINDOW = 0.1  # of a pitch: how far to either side of its crossing a yarn is held to its side
 
 
 class RopeModel:
@@ -52,7 +55,8 @@ class RopeModel:
         size = body.num_unknowns
         held = ends.held(0.0)
         is_image = held[0].copies[ends.nodes.first] == 0.0
-        self.contact = make_contact(comm, scene, rope, body, is_image)
+        beyond = elements_beyond(rope, body) if ends.periodic else 0
+        self.contact = make_contact(comm, scene, rope, body, is_image, beyond)
         self.proximal = ProximalTerm(size, comm.rank, cable_turning(body))
         self.loads = LoadTerm(size, comm.rank)
         self.directors = np.tile(np.arange(body.block) >= 3, body.num_nodes)
@@ -210,9 +214,20 @@ def periodic_directors(line: Floats) -> Floats:
 
 
 def make_contact(
-    comm: MPI.Comm, scene: Scene, rope: Rope, body: CurveBody, is_image: npt.NDArray[np.bool_]
+    comm: MPI.Comm,
+    scene: Scene,
+    rope: Rope,
+    body: CurveBody,
+    is_image: npt.NDArray[np.bool_],
+    beyond: int,
 ) -> Contact:
-    """Contact of all yarns, with laws and spacing from the scene; images repeat the equilibrium of other yarns."""
+    """Contact of all yarns, with laws and spacing from the scene.
+
+    Args:
+        comm, scene, rope, body: As of the model.
+        is_image: Whether the equilibrium of a yarn repeats another's, shape (num_yarns,).
+        beyond: Elements that yarns go on for past their ends.
+    """
     curves, options = body.layout.curves, scene.contact
     num_elements = np.diff(body.layout.curve_elements)
     lengths = np.add.reduceat(body.rest_lengths(), body.layout.curve_elements[:-1])
@@ -225,9 +240,10 @@ def make_contact(
         radius=rope.radius,
         element_length=lengths / num_elements,
         body=0 * ones,
+        beyond=beyond,
         is_image=is_image,
     )
-    crossings = engine_crossings(rope, lengths)
+    crossings = engine_crossings(rope, lengths, beyond / num_elements[0])
     contact = Contact(
         comm,
         layout,
@@ -250,25 +266,41 @@ def make_contact(
     return contact
 
 
-def engine_crossings(rope: Rope, lengths: Floats) -> Any:
+def elements_beyond(rope: Rope, body: CurveBody) -> int:
+    """Elements that yarns of a periodic sample go on for past its ends: whole windows of crossings, and one more."""
+    per_pitch = np.diff(body.layout.curve_elements).min() * rope.pitch / rope.length
+    return math.ceil(WINDOW * per_pitch) + 1
+
+
+def engine_crossings(rope: Rope, lengths: Floats, beyond: float) -> Any:
     """Crossings of all yarns of crossing strands, with windows in rest arc length (mm).
 
-    A window reaches a tenth of a pitch to either side: crossings of one pair are half a pitch apart.
+    A window reaches a tenth of a pitch to either side: crossings of one pair are half a pitch apart. Those whose
+    windows reach past an end come last, once more at the other end.
+
+    Args:
+        rope: The start configuration.
+        lengths: Of the yarns at rest, shape (num_yarns,), mm.
+        beyond: What yarns go on for past their ends, over their length.
     """
     yarns = [np.flatnonzero(rope.strand == s) for s in range(rope.num_strands)]
     crossings: Crossings = rope.crossings
     tubes, windows, order = [], [], []
-    for a, b, z, sign in zip(
-        crossings.strand_a, crossings.strand_b, crossings.z, crossings.order, strict=True
-    ):
-        window = np.clip(
-            np.array([z - rope.pitch / 10, z + rope.pitch / 10]) / rope.length, 0.0, 1.0
-        )
-        for yarn_a in yarns[a]:
-            for yarn_b in yarns[b]:
-                tubes.append((yarn_a, yarn_b))
-                windows.append(np.concatenate([window * lengths[yarn_a], window * lengths[yarn_b]]))
-                order.append(sign)
+    for period in (0, 1, -1):
+        for a, b, z, sign in zip(
+            crossings.strand_a, crossings.strand_b, crossings.z, crossings.order, strict=True
+        ):
+            reach = np.array([-WINDOW, WINDOW]) * rope.pitch
+            window = np.clip((z + reach) / rope.length + period, -beyond, 1.0 + beyond)
+            if window[0] >= window[1]:
+                continue
+            for yarn_a in yarns[a]:
+                for yarn_b in yarns[b]:
+                    tubes.append((yarn_a, yarn_b))
+                    windows.append(
+                        np.concatenate([window * lengths[yarn_a], window * lengths[yarn_b]])
+                    )
+                    order.append(sign)
     return engine.make_crossings(
         tubes=np.array(tubes, np.int32).ravel(),
         windows=np.array(windows, float).ravel(),

@@ -1,14 +1,15 @@
 """From one pitch in a die to the whole rope at rest, stage by stage.
 
-A pitch is formed with end sections that are alike. Released from its die it comes to rest; then it is laid end to end.
-At the joints contact elements lack what lies beyond the end: first the joints come to rest, all else held, and then the
-whole rope.
+A pitch is formed with end sections that are alike, in contact with what goes on beyond them. Released from its die it
+comes to rest; then it is laid end to end. If the ends of the rope are alike, too, it rests already; if not, it does so
+without what was beyond them.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+import braidx_engine as engine
 import numpy as np
 
 from ..contact.contact import Contact
@@ -18,7 +19,6 @@ from .form import ONCE_MORE, in_die, spread_nodes
 from .model import RopeModel
 from .state import CELL, State
 
-JOINT = 3  # elements to either side of a joint that move while it comes to rest
 POINT_STATION = np.iinfo(np.int64).max  # engine: stations.h
 
 
@@ -29,18 +29,12 @@ def next_stage(model: RopeModel, state: State) -> State | None:
         return replace(state, model="released", q=q, reference=q.copy())
     if state.model in CELL:
         return laid_end_to_end(model, state)
-    if state.model == "joints":
-        return replace(state, model="forming", progress={**state.progress, **ONCE_MORE})
     return None
 
 
-def distance_to_joint(scene: Scene, curves: np.ndarray) -> np.ndarray:
-    """Number of nodes between a node and the nearest joint of two pitches, shape (num_nodes,)."""
-    per_pitch = scene.yarn.elements_per_pitch * scene.yarn.degree
-    node = np.arange(curves[1])
-    joints = per_pitch * np.arange(1, scene.rope.pitches)
-    nearest = np.abs(node[:, None] - joints).min(axis=1, initial=len(node))
-    return np.tile(nearest, len(curves) - 1)
+def goes_on(scene: Scene) -> bool:
+    """Whether a rope goes on past its ends as it does at the other end."""
+    return scene.ends.transverse == "periodic" and not scene.ends.groups
 
 
 def laid_end_to_end(model: RopeModel, state: State) -> State:
@@ -65,17 +59,17 @@ def laid_end_to_end(model: RopeModel, state: State) -> State:
     q = repeated(state.q)
     return replace(
         state,
-        model="joints" if pitches > 1 else "forming",
+        model="forming",
         q=q,
         reference=repeated(state.reference),
         rest_tension=np.tile(tension, pitches).ravel(),
-        contacts=_repeated_contacts(model.contact, state.contacts, pitches),
+        contacts=_repeated_contacts(model.contact, state.contacts, pitches, goes_on(scene)),
         progress={**state.progress, **ONCE_MORE},
     )
 
 
 def _repeated_contacts(
-    contact: Contact, arrays: dict[str, np.ndarray], pitches: int
+    contact: Contact, arrays: dict[str, np.ndarray], pitches: int, periodic: bool
 ) -> dict[str, np.ndarray]:
     """Contact elements of all pitches, with their memory.
 
@@ -83,16 +77,19 @@ def _repeated_contacts(
     gets the number of the cell that it stands in now.
     """
     tubes = arrays["tubes"]
-    length = contact.layout.element_length[tubes] / contact.pairing.spacing
+    spacing = contact.pairing.spacing
+    here = engine.cell_lengths(contact.tubes, *tubes.T.astype(np.int64), spacing)
+    there = here if periodic else spacing
 
-    def cells(s: np.ndarray, way: int) -> np.ndarray:
-        return np.floor((s * length) @ np.array([0.5, 0.5 * way])).astype(np.int64)
+    def cells(s: np.ndarray, way: int, cell: np.ndarray | float) -> np.ndarray:
+        mean = (s * contact.layout.element_length[tubes]) @ np.array([0.5, 0.5 * way])
+        return np.floor(mean / cell).astype(np.int64)
 
-    same_way = cells(arrays["s"], 1) == arrays["station"]
+    same_way = cells(arrays["s"], 1, here) == arrays["station"]
     parts = []
     for k in range(pitches):
         s = arrays["s"] + k * contact.layout.num_elements[tubes]
-        station = np.where(same_way, cells(s, 1), cells(s, -1))
+        station = np.where(same_way, cells(s, 1, there), cells(s, -1, there))
         at_point = arrays["station"] == POINT_STATION
         parts.append({**arrays, "s": s, "station": np.where(at_point, POINT_STATION, station)})
     return {name: np.concatenate([part[name] for part in parts]) for name in arrays}

@@ -16,7 +16,6 @@ from .ends import Ends
 from .form import keeps_lengths
 from .grouped_ends import GroupedEnds
 from .model import RopeModel, beam_body, cable_body, periodic_directors
-from .pitches import JOINT, distance_to_joint
 from .state import CELL, State
 
 
@@ -108,7 +107,7 @@ def _symmetry(scene: Scene, rope: Rope) -> Rotations:
 
 
 def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends | GroupedEnds:
-    """What is held: the ends of one pitch are alike; then all but the joints between pitches stay; then the ends.
+    """What is held: the ends of one pitch are alike; then those of the whole rope as the scene says.
 
     Groups of ends act once the rope is formed; until then the ends are alike. They need not be symmetric, and the
     rope then is not kept so.
@@ -122,10 +121,8 @@ def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends | GroupedEn
     if state.model in CELL:
         return Ends(body, alike, symmetry, state.q, pulled=pulled)
     ends = alike if scene.ends.groups else scene.ends
-    if state.model == "joints":
-        away = distance_to_joint(scene, body.layout.curves) > JOINT * scene.yarn.degree
-        return Ends(body, ends, symmetry, state.q, still=np.repeat(away, 3))
-    return Ends(body, ends, symmetry, state.q if state.forms else state.reference, pulled=pulled)
+    at = state.q if state.forms else state.reference
+    return Ends(body, ends, symmetry, at, pulled=pulled, cut=bool(scene.ends.groups))
 
 
 def one_pitch(scene: Scene) -> Rope:

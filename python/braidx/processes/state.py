@@ -26,8 +26,8 @@ class State:
 
     Attributes:
         q: Unknowns, shape (num_unknowns,); block of the model in use.
-        model: While the rope is formed "cell" (one pitch), "released" (from the die), "joints" (of such pitches, coming
-            to rest) and "forming" (the whole rope, likewise), made of cables; then "cable" or "beam".
+        model: While the rope is formed "cell" (one pitch), "released" (from the die) and "forming" (the whole rope, coming
+            to rest), made of cables; then "cable" or "beam".
         reference: Unknowns of the reference state that strains are measured from, shape as q.
         rest_tension: Tension of the elements in the reference state, shape (num_elements,), N (cables).
         contacts: Contact elements of all processes with their memory, as arrays.
@@ -55,7 +55,7 @@ class State:
     @property
     def forms(self) -> bool:
         """Whether the rope is still being formed."""
-        return self.model in (*CELL, "joints", "forming")
+        return self.model in (*CELL, "forming")
 
     def next_step(self) -> State:
         """The same state at the beginning of the step that follows."""

@@ -56,7 +56,7 @@ class Form(Step):
         doc="Coefficient of friction while the rope comes to rest, after having been separated without friction; "
         "left out: contact.friction.",
     )
-    increments: int = option(80, minimum=1, doc="Most increments.")
+    increments: int = option(150, minimum=1, doc="Most increments.")
 
 
 @dataclass(frozen=True)

@@ -40,9 +40,17 @@ class ConstraintMap:
         """What virtual work leaves of a residual for the free unknowns, T^T r, shape (num_free,)."""
         return self.test.T @ residual
 
-    def reduce_pattern(self, rows: Ints, cols: Ints) -> ReducedPattern:
-        """COO entries of T^T A T from those of A."""
-        return ReducedPattern.of(self.test, self.transform, rows, cols)
+    def reduce_pattern(
+        self, rows: Ints, cols: Ints, spread: sp.csr_matrix | None = None
+    ) -> ReducedPattern:
+        """COO entries of T^T A T from those of A; of T^T S^T A S T if A speaks of S times the unknowns."""
+        if spread is None:
+            return ReducedPattern.of(self.test, self.transform, rows, cols)
+        test, transform = (sp.csr_matrix(spread @ m) for m in (self.test, self.transform))
+        for matrix in (test, transform):
+            # What cancels, such as the two ends of a yarn that are held alike.
+            matrix.eliminate_zeros()
+        return ReducedPattern.of(test, transform, rows, cols)
 
 
 @dataclass(frozen=True)

@@ -60,7 +60,10 @@ class GlobalSystem:
         if self.comm.allreduce(same, op=MPI.LAND):
             return False
         self._versions, self._laid_out = versions, self.constraints
-        pieces = [self.constraints.reduce_pattern(*term.tangent_pattern()) for term in self.terms]
+        pieces = [
+            self.constraints.reduce_pattern(*term.tangent_pattern(), term.spread)
+            for term in self.terms
+        ]
         self._pieces = pieces
         if self.matrix is not None:
             self.matrix.destroy()

@@ -21,6 +21,7 @@ class ProximalTerm:
     """
 
     pattern_version = 1
+    spread = None
 
     def __init__(self, num_unknowns: int, rank: int = 0, turning: Turning | None = None) -> None:
         self.turning = turning

@@ -6,6 +6,7 @@ from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
+import scipy.sparse as sp
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
@@ -26,6 +27,11 @@ class Term(Protocol):
     @property
     def pattern_version(self) -> int:
         """Number that changes whenever `tangent_pattern` does."""
+        ...
+
+    @property
+    def spread(self) -> sp.csr_matrix | None:
+        """Matrix that makes the numbers that `tangent_pattern` speaks of from the unknowns; None: they are the same."""
         ...
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
@@ -58,6 +64,7 @@ class BodyTerm:
     """Internal forces of a body whose unknowns begin at `first_unknown`."""
 
     pattern_version = 1
+    spread = None
 
     def __init__(self, body: Body, first_unknown: int) -> None:
         self.body = body
@@ -85,6 +92,7 @@ class LoadTerm:
     """Dead loads on unknowns (N on positions, N mm per mm on directors), shape (num_unknowns,)."""
 
     pattern_version = 1
+    spread = None
 
     def __init__(self, num_unknowns: int, rank: int = 0) -> None:
         self.loads: Floats = np.zeros(num_unknowns)

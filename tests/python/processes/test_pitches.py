@@ -32,7 +32,7 @@ def cell():
 def test_the_start_configuration_laid_end_to_end_is_the_whole_one(cell):
     scene, model, state = cell
     whole = laid_end_to_end(model, state)
-    assert whole.model == "joints"
+    assert whole.model == "forming"
     lines = np.concatenate(build_rope(scene).centre_lines)
     assert np.allclose(whole.q.reshape(-1, 3), lines, atol=1e-9)
     assert make_model(MPI.COMM_SELF, scene, whole).body.num_unknowns == len(whole.q)
@@ -73,7 +73,7 @@ def test_equilibrium_of_leaders_is_that_of_all(disturbed):
     system, constraints = model.system, model.system.constraints
     assert system.num_free < model.body.num_unknowns / 4
     contact = model.contact
-    contact.tubes = engine_tubes(replace(contact.layout, is_image=None), smooth=True)
+    contact.tubes = engine_tubes(replace(contact.layout, is_image=None), True, contact.beyond)
     system.set_state(system.expand(p))
     residual = system.residual()
     work = constraints.transform.T @ residual
@@ -97,3 +97,46 @@ def test_the_tangent_of_a_symmetric_rope_is_the_derivative_of_its_residual(distu
     system.matrix.mult(direction, product)
     change = (reduced(p + step) - reduced(p - step)) / 2
     assert np.linalg.norm(change - product.array) < 1e-5 * np.linalg.norm(change)
+
+
+@pytest.fixture(scope="module")
+def alone_and_amid():
+    """Forces of contact on one periodic pitch in a disturbed state, and on the pitch amid three of the same."""
+    forces, works = [], []
+    for pitches in (1, 3):
+        scene = load_scene(SMALL, [f"rope.pitches={pitches}", "solver.symmetry=false"])
+        one = load_scene(SMALL, ["solver.symmetry=false"])
+        state = start_state(one)
+        lines = state.q.reshape(-1, one.yarn.elements_per_pitch + 1, 3)
+        shake = 0.02 * np.random.default_rng(3).standard_normal(lines.shape)
+        shake[:, -1] = shake[:, 0]
+        shake[:, [0, -1], 2] = 0.0
+        q = lines + shake
+        shifts = np.arange(pitches)[:, None, None] * [0.0, 0.0, one.rope.pitch]
+        parts = [q[:, :-1] + shift for shift in shifts] + [q[:, -1:] + shifts[-1]]
+        q = np.concatenate(parts, axis=1).ravel()
+        whole = replace(state, model="cell" if pitches == 1 else "forming", q=q, reference=q)
+        model = make_model(MPI.COMM_SELF, scene, whole)
+        model.contact.start = q
+        model.contact.update(q)
+        model.contact.set_state(q)
+        residual = np.zeros_like(q)
+        model.contact.add_residual(residual)
+        rows = residual.reshape(len(lines), -1, 3)
+        per_pitch = rows.shape[1] // pitches
+        amid = rows[:, per_pitch * (pitches // 2) :][:, : per_pitch + 1].copy()
+        if pitches == 1:  # both ends are one node; amid, each belongs to two pitches
+            amid[:, 0] += amid[:, -1]
+            amid[:, 0, 2] = amid[:, -1, 2] = 0.0
+            amid[:, -1] = amid[:, 0]
+        else:
+            amid[:, [0, -1], 2] = 0.0
+        forces.append(amid)
+        works.append(len(model.contact.elements) / pitches)
+    return forces, works
+
+
+def test_a_pitch_alone_feels_the_contact_of_a_pitch_amid_others(alone_and_amid):
+    (alone, amid), (number_alone, number_amid) = alone_and_amid
+    assert number_alone == number_amid
+    assert np.abs(alone - amid).max() < 1e-9 * np.abs(amid).max()

@@ -40,7 +40,7 @@ def small_rope(model):
 def without_images(rope, q):
     """The same model again, whose contact elements are all asked for."""
     contact = rope.contact
-    contact.tubes = engine_tubes(replace(contact.layout, is_image=None), smooth=True)
+    contact.tubes = engine_tubes(replace(contact.layout, is_image=None), True, contact.beyond)
     contact.forget_pattern()
     contact.update(q)
     return rope
