@@ -10,7 +10,8 @@ import numpy.typing as npt
 from mpi4py import MPI
 
 from braidx.bodies import CableBody, CurveBody
-from braidx.contact.contact import Contact, TubeLayout
+from braidx.contact.contact import Contact
+from braidx.contact.tubes import TubeLayout
 from braidx.solver.increment import Increment, Incrementer, IncrementOptions
 from braidx.solver.newton import Newton, NewtonOptions
 from braidx.system.constraints import Constraints

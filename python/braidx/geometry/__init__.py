@@ -4,7 +4,15 @@ from braidx.geometry.checks import check_geometry
 from braidx.geometry.crossings import Crossings
 from braidx.geometry.end_groups import axially_held, group_members
 from braidx.geometry.rope import Rope, build_rope
-from braidx.geometry.symmetry import Rotations, no_rotations, rotation_about_z, rotations
+from braidx.geometry.symmetry import (
+    Rotations,
+    goes_on,
+    no_rotations,
+    one_for_all,
+    one_pitch,
+    rotation_about_z,
+    rotations,
+)
 from braidx.geometry.turns import angles_of, best_fit, cross_matrix, rates_of, rotation_of
 
 __all__ = [
@@ -17,8 +25,11 @@ __all__ = [
     "build_rope",
     "check_geometry",
     "cross_matrix",
+    "goes_on",
     "group_members",
     "no_rotations",
+    "one_for_all",
+    "one_pitch",
     "rates_of",
     "rotation_about_z",
     "rotation_of",

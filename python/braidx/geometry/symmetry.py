@@ -1,18 +1,36 @@
-"""Rotations about the axis that bring a rope's start configuration, stacking order included, back to itself."""
+"""Pitches that are alike, and rotations about the axis that bring a rope's start configuration back to itself.
+Stacking order included.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from braidx.geometry.rope import Rope
+from braidx.geometry.rope import Rope, build_rope
+from braidx.scene.scene import Scene
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 NEAR = 1e-6  # of a yarn radius: lines that coincide
+
+
+def goes_on(scene: Scene) -> bool:
+    """Whether a rope goes on past its ends as it does at the other end."""
+    return scene.ends.transverse == "periodic" and not scene.ends.groups
+
+
+def one_for_all(scene: Scene) -> bool:
+    """Whether one pitch stands for all: they are alike if the rope goes on and is to be kept symmetric."""
+    return goes_on(scene) and (scene.solver.symmetry or scene.rope.pitches == 1)
+
+
+def one_pitch(scene: Scene) -> Rope:
+    """One pitch of the start configuration."""
+    return build_rope(replace(scene, rope=replace(scene.rope, pitches=1)))
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -77,6 +77,40 @@ class Snapshot:
     @property
     def num_yarns(self) -> int:
         return len(self.centre_lines)
+
+
+def repeated(snapshot: Snapshot, times: int) -> Snapshot:
+    """A sample laid end to end along the axis, so many times."""
+    if times == 1:
+        return snapshot
+    periods = np.array([line[-1, 2] - line[0, 2] for line in snapshot.centre_lines])
+    shifts = np.arange(times)[:, None] * [0.0, 0.0, periods.mean()]
+
+    def nodal(values: Array, shifts: Array) -> Array:
+        parts = [values[:-1] + shift for shift in shifts]
+        return np.concatenate([*parts, values[-1:] + shifts[-1]])
+
+    def each(values: tuple[Array, ...] | None) -> tuple[Array, ...] | None:
+        return values and tuple(np.concatenate([value] * times) for value in values)
+
+    return replace(
+        snapshot,
+        centre_lines=tuple(nodal(line, shifts) for line in snapshot.centre_lines),
+        directors=snapshot.directors
+        and tuple(nodal(pair, np.zeros(times)) for pair in snapshot.directors),
+        tension=each(snapshot.tension),
+        axial_stress=each(snapshot.axial_stress),
+        contacts=snapshot.contacts and _repeated_contacts(snapshot.contacts, shifts),
+    )
+
+
+def _repeated_contacts(table: ContactTable, shifts: Array) -> ContactTable:
+    columns = {
+        field.name: np.concatenate([getattr(table, field.name)] * len(shifts))
+        for field in fields(ContactTable)
+    }
+    columns["position"] = np.concatenate([table.position + shift for shift in shifts])
+    return ContactTable(**columns)
 
 
 _PER_YARN = ("centre_lines", "directors", "tension", "axial_stress")

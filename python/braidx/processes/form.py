@@ -18,6 +18,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from ..bodies import CableBody
+from ..geometry import one_for_all
 from ..output.log import LOGGER
 from ..scene import Form, Scene
 from ..solver.increment import Diverged, Increment, IncrementOptions
@@ -147,8 +148,12 @@ class Former:
     @property
     def _stage(self) -> str:
         """Name of the state that this stage ends with."""
-        names = {"cell": "one pitch", "released": "released", "forming": "formed"}
-        return "in the die" if self._in_die else names[self.state.model]
+        if self._in_die:
+            return "in the die"
+        names = (
+            {} if one_for_all(self.model.scene) else {"cell": "one pitch", "released": "released"}
+        )
+        return names.get(self.state.model, "formed")
 
     def check(self) -> None:
         """Raises NotConverged unless the shape found is one of yarns that do not penetrate."""

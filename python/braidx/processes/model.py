@@ -13,7 +13,8 @@ from mpi4py import MPI
 
 from ..bodies import BeamBody, BeamSection, CableBody, CurveBody, YarnMaterial
 from ..bodies.tilt import SHARE, SectionTilt
-from ..contact.contact import Contact, TubeLayout
+from ..contact.contact import Contact
+from ..contact.tubes import TubeLayout
 from ..geometry import Crossings, Rope
 from ..scene import Scene
 from ..solver.increment import Incrementer

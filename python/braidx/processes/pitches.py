@@ -1,8 +1,8 @@
 """From one pitch in a die to the whole rope at rest, stage by stage.
 
 A pitch is formed with end sections that are alike, in contact with what goes on beyond them. Released from its die it
-comes to rest; then it is laid end to end. If the ends of the rope are alike, too, it rests already; if not, it does so
-without what was beyond them.
+comes to rest; there the rope is formed if one pitch stands for all (geometry/symmetry.py). If not, it is laid end to
+end and comes to rest with the ends that it has.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import braidx_engine as engine
 import numpy as np
 
 from ..contact.contact import Contact
-from ..scene import Scene
+from ..geometry import goes_on, one_for_all
 from ..system.constraints import Floats
 from .form import ONCE_MORE, in_die, spread_nodes
 from .model import RopeModel
@@ -23,18 +23,13 @@ POINT_STATION = np.iinfo(np.int64).max  # engine: stations.h
 
 
 def next_stage(model: RopeModel, state: State) -> State | None:
-    """What is formed next; None after the whole rope."""
+    """What is formed next; None at the end."""
     if state.model == "cell" and in_die(model.scene, state):
         q = spread_nodes(model.centre_lines(state.q))
         return replace(state, model="released", q=q, reference=q.copy())
-    if state.model in CELL:
+    if state.model in CELL and not one_for_all(model.scene):
         return laid_end_to_end(model, state)
     return None
-
-
-def goes_on(scene: Scene) -> bool:
-    """Whether a rope goes on past its ends as it does at the other end."""
-    return scene.ends.transverse == "periodic" and not scene.ends.groups
 
 
 def laid_end_to_end(model: RopeModel, state: State) -> State:

@@ -11,12 +11,12 @@ from mpi4py import MPI
 from rich.console import Console
 
 from ..cli.environment import blas_warning
-from ..geometry import Rope
+from ..geometry import Rope, one_for_all
 from ..output import figures, history, paraview, snapshot
 from ..output.history import History, HistoryRow
 from ..output.log import LOGGER, close_log, open_log
 from ..output.progress import Progress
-from ..output.snapshot import ContactTable, Snapshot
+from ..output.snapshot import ContactTable, Snapshot, repeated
 from ..output.summary import PhaseCost, Summary, peak_memory_MB
 from ..scene import Form, Scene, Step
 from . import state as checkpoint
@@ -46,6 +46,7 @@ class Recorder:
         self._costs: Mapping[str, PhaseCost] = resumed.costs if resumed else {}
         self._unknowns = self._elements = 0
         self._threads = 1
+        self._pitches = scene.rope.pitches if one_for_all(scene) else 1
         self._internal_energy = 0.0
         if not self.first:
             return
@@ -78,13 +79,14 @@ class Recorder:
         energy = model.internal_energy(state.q)
         share = state.stabilisation_work / energy if energy > 0 and not state.forms else 0.0
         picture = (
-            model_snapshot(model, state, outcome.snapshot or step.kind)
+            repeated(model_snapshot(model, state, outcome.snapshot or step.kind), self._pitches)
             if self._wanted(outcome)
             else None
         )
-        self._results["friction_work"] = state.friction_work
+        friction_work = self._pitches * state.friction_work
+        self._results["friction_work"] = friction_work
         if outcome.snapshot and picture is not None:
-            wrong = wrong_side_crossings(model, state.q)
+            wrong = self._pitches * wrong_side_crossings(model, state.q)
             found = state_results(outcome.snapshot, picture, wrong, isinstance(step, Form))
             first = {name: self._results[name] for name in FIRST_PULL if name in self._results}
             self._results |= found | first  # of several pulls the first one counts
@@ -100,7 +102,7 @@ class Recorder:
             outcome.cost[0],
             increment.contact_elements,
             increment.penetration,
-            state.friction_work,
+            friction_work,
             seconds,
             f"{state.step + 1} {step.kind}",
             increment.penetration / float(self.rope.radius.min()),

@@ -8,7 +8,16 @@ from typing import Any
 import numpy as np
 from mpi4py import MPI
 
-from ..geometry import Rope, Rotations, build_rope, no_rotations, rotation_about_z, rotations
+from ..geometry import (
+    Rope,
+    Rotations,
+    build_rope,
+    no_rotations,
+    one_for_all,
+    one_pitch,
+    rotation_about_z,
+    rotations,
+)
 from ..scene import Form, Scene
 from ..system.constraints import Floats
 from .end_nodes import EndNodes
@@ -22,7 +31,7 @@ from .state import CELL, State
 def start_state(scene: Scene) -> State:
     """The start configuration: one pitch if it is to be formed, the whole rope as placed if not."""
     forms = isinstance(scene.steps[0], Form)
-    rope = one_pitch(scene) if forms else build_rope(scene)
+    rope = one_pitch(scene) if forms or one_for_all(scene) else build_rope(scene)
     q = np.concatenate(rope.centre_lines).ravel()
     elements = (len(rope.centre_lines[0]) - 1) // scene.yarn.degree * rope.num_yarns
     state = State(
@@ -65,7 +74,7 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
 
 def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
     """The rope in the model that a state belongs to, with the state's contact history."""
-    rope = one_pitch(scene) if state.model in CELL else build_rope(scene)
+    rope = one_pitch(scene) if state.model in CELL or one_for_all(scene) else build_rope(scene)
     block = 9 if state.model == "beam" else 3
     reference = np.split(state.reference.reshape(-1, block), rope.num_yarns)
     body: Any
@@ -123,8 +132,3 @@ def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends | GroupedEn
     ends = alike if scene.ends.groups else scene.ends
     at = state.q if state.forms else state.reference
     return Ends(body, ends, symmetry, at, pulled=pulled, cut=bool(scene.ends.groups))
-
-
-def one_pitch(scene: Scene) -> Rope:
-    """One pitch of the start configuration."""
-    return build_rope(replace(scene, rope=replace(scene.rope, pitches=1)))

@@ -5,7 +5,8 @@ import pytest
 import scipy.sparse as sp
 from mpi4py import MPI
 
-from braidx.contact.contact import Contact, TubeLayout
+from braidx.contact.contact import Contact
+from braidx.contact.tubes import TubeLayout
 
 RADIUS, NODES = 1.0, 15
 POINT = np.iinfo(np.int64).max

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from mpi4py import MPI
 
-from braidx.contact.contact import engine_tubes
+from braidx.contact.tubes import engine_tubes
 from braidx.geometry import build_rope
 from braidx.processes.pitches import laid_end_to_end
 from braidx.processes.start import make_model, start_state

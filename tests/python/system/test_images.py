@@ -8,7 +8,7 @@ import pytest
 import scipy.sparse as sp
 from mpi4py import MPI
 
-from braidx.contact.contact import engine_tubes
+from braidx.contact.tubes import engine_tubes
 from braidx.processes.start import make_model, start_state
 from braidx.scene import load_scene
 
