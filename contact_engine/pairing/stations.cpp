@@ -42,7 +42,8 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
         return arc >= tube.low() && arc <= tube.high();
     };
     std::optional<std::pair<double, double>> best;
-    double best_distance = std::numeric_limits<double>::infinity();
+    double best_distance = std::numeric_limits<double>::infinity(), moved = 0;
+    const double limit = std::min(a.element_length, b.element_length);
     for (int iteration = 0; iteration < 30; ++iteration) {
         if (!inside(a, arc_a) || !inside(b, arc_b))
             return std::nullopt;
@@ -70,16 +71,18 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
         if (det < 1e-6 * aa * bb)
             return std::nullopt;
         const double da = ta.dot(d), db = tb.dot(d);
-        const double limit = std::min(a.element_length, b.element_length);
         const double step_a = std::clamp((da * hbb - db * ab) / det, -limit, limit);
         const double step_b = std::clamp((da * ab - db * haa) / det, -limit, limit);
         arc_a += step_a;
         arc_b += step_b;
-        if (std::abs(step_a) + std::abs(step_b) < 1e-10 * limit)
+        moved = std::abs(step_a) + std::abs(step_b);
+        if (moved < 1e-10 * limit)
             return inside(a, arc_a) && inside(b, arc_b) ? std::optional(std::pair(arc_a, arc_b))
                                                         : std::nullopt;
     }
-    return best; // kinks, and curves that bend more than they cross, keep the steps jumping
+    // Kinks keep the steps jumping; where curves bend more than they cross there is no closest point.
+    const bool kinks = a.is_polygon() || b.is_polygon() || !metric.isIdentity();
+    return kinks || moved < 1e-4 * limit ? best : std::nullopt;
 }
 
 double TubePair::sharpness(double arc_a, double arc_b) const {

@@ -27,6 +27,7 @@ struct Tube {
                            ///< asks for the rows of its unknowns in residual and tangent
     std::int32_t beyond = 0; ///< elements past either end, for contact across the ends of a sample
 
+    bool is_polygon() const { return degree == 1 && !smooth; }
     bool is_periodic() const { return beyond > 0; }
     std::int32_t first_element() const { return -beyond; }
     std::int32_t end_element() const { return num_elements + beyond; } ///< one past the last

@@ -16,10 +16,10 @@ from braidx.scene import load_scene
 SMALL = Path(__file__).parents[3] / "demos" / "small_rope.toml"
 
 
-@pytest.fixture(scope="module")
-def cell():
-    """One pitch of a rope of three with fresh contact elements, and its state."""
-    scene = load_scene(SMALL, ["rope.pitches=3"])
+@pytest.fixture(scope="module", params=["solver.symmetry=false", 'ends.transverse="fixed"'])
+def cell(request):
+    """One pitch of a rope of three, which does not stand for all, with fresh contact elements, and its state."""
+    scene = load_scene(SMALL, ["rope.pitches=3", request.param])
     state = start_state(scene)
     model = make_model(MPI.COMM_SELF, scene, state)
     model.contact.update(state.q)
@@ -50,10 +50,10 @@ def test_contact_elements_made_anew_inherit_the_memory(cell):
 
 
 @pytest.fixture
-def disturbed(cell):
+def disturbed():
     """One pitch without friction in a symmetric state near the start, and the free unknowns of that state."""
-    scene, _, state = cell
-    model = make_model(MPI.COMM_SELF, scene, replace(state, contacts={}))
+    scene = load_scene(SMALL, ["rope.pitches=3"])
+    model = make_model(MPI.COMM_SELF, scene, start_state(scene))
     model.contact.laws.friction = [0.0]
     model.contact.laws.gap_step = -1.0
     model.body.set_properties(tension=20.0, axial_stiffness=200.0)
