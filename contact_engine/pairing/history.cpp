@@ -12,6 +12,13 @@ History::History(const ContactElements& previous, const std::vector<Tube>& tubes
     std::ranges::sort(places_);
 }
 
+bool History::knows(std::int32_t tube_a, std::int32_t tube_b) const {
+    const auto at =
+        std::ranges::lower_bound(places_, Place{tube_a, tube_b, INT64_MIN}, {}, &Entry::first);
+    return at != places_.end() && std::get<0>(at->first) == tube_a &&
+           std::get<1>(at->first) == tube_b;
+}
+
 const ContactElement* History::predecessor(const ContactElement& element, double reach) const {
     const ContactElement* best = nullptr;
     for_each(element.tube_a, element.tube_b, element.station, [&](const ContactElement& old) {

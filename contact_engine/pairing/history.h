@@ -18,6 +18,9 @@ public:
     /// or none; on periodic tubes a period away is as near.
     const ContactElement* predecessor(const ContactElement& element, double reach) const;
 
+    /// Whether two tubes had contact elements.
+    bool knows(std::int32_t tube_a, std::int32_t tube_b) const;
+
     /// Calls visit(element) for every previous element of a station of two tubes, the last one
     /// first.
     template <class Visit>

@@ -83,17 +83,37 @@ std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone
     return out;
 }
 
+/// Weights of point stations from one increment to the next: a new one, on tubes that touched
+/// before, starts with this share of the spacing, and grows and fades by no more than the factor. A
+/// point that took over at once what line stations carried would push yarns away that had come to
+/// rest.
+constexpr double first_share = 0.02, change = 2;
+
+void ease(std::vector<Station>& points, const std::vector<Station>& before, const TubePair& pair,
+          double spacing) {
+    for (auto& p : points) {
+        double weight = 0;
+        for (const auto& old : before)
+            if (std::abs(old.s_a - p.s_a) * pair.a.element_length < 0.5 * spacing)
+                weight = std::max(weight, old.weight);
+        p.weight = std::clamp(p.weight, weight / change, change * weight + first_share * spacing);
+    }
+}
+
 /// Closest approaches along line stations and near point stations of before.
 std::vector<Station> new_points(const TubePair& pair, const ProximityZone& zone,
                                 const std::vector<Station>& line, const History& history,
                                 double spacing, double tolerance) {
     auto out = point_stations(pair, line, spacing, tolerance);
-    for (const auto& old : kept_points(pair, zone, history, spacing)) {
-        const auto at = point_station_near(pair, old.s_a * pair.a.element_length,
-                                           old.s_b * pair.b.element_length, spacing, tolerance);
-        if (at && covers(zone, *at))
-            add_point(out, pair, *at, spacing);
+    const auto before = kept_points(pair, zone, history, spacing);
+    for (auto old : before) {
+        old.weight = point_weight(pair, old.s_a * pair.a.element_length,
+                                  old.s_b * pair.b.element_length, spacing, tolerance);
+        add_point(out, pair, old, spacing);
     }
+    if (history.knows(zone.tube_a, zone.tube_b))
+        ease(out, before, pair, spacing);
+    std::erase_if(out, [&](const Station& p) { return p.weight < first_share / change * spacing; });
     return out;
 }
 
@@ -104,18 +124,17 @@ std::vector<Station> zone_stations(const Tubes& tubes, Unknowns q, const Proximi
     const TubePair pair{tubes[zone.tube_a], tubes[zone.tube_b], q, zone.orientation};
     const double spacing = cell_length(pair.a, pair.b, options.spacing);
     auto line = line_stations(pair, zone.pairs, spacing);
-    const auto points =
-        options.keep_points
-            ? kept_points(pair, zone, history, spacing)
-            : new_points(pair, zone, line, history, spacing, options.point_tolerance);
+    const auto points = options.keep_points ? kept_points(pair, zone, history, spacing)
+                                            : new_points(pair, zone, line, history, spacing,
+                                                         options.point_tolerance);
     auto stations = share_length(std::move(line), points, pair);
     const double reach = pair.a.radius + pair.b.radius + options.search.margin;
     const auto [first, last] = unseparated.equal_range({zone.tube_a, zone.tube_b});
     std::erase_if(stations, [&](const Station& s) {
         const double arc_a = s.s_a * pair.a.element_length, arc_b = s.s_b * pair.b.element_length;
-        return !is_kept(pair.a, pair.b, s) || pair.across(s).norm() > reach || std::any_of(first, last, [&](const auto& c) {
-                   return c.second->contains(arc_a, arc_b);
-               });
+        return !is_kept(pair.a, pair.b, s) || pair.across(s).norm() > reach ||
+               std::any_of(first, last,
+                           [&](const auto& c) { return c.second->contains(arc_a, arc_b); });
     });
     return stations;
 }

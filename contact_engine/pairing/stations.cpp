@@ -80,7 +80,8 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
             return inside(a, arc_a) && inside(b, arc_b) ? std::optional(std::pair(arc_a, arc_b))
                                                         : std::nullopt;
     }
-    // Kinks keep the steps jumping; where curves bend more than they cross there is no closest point.
+    // Kinks keep the steps jumping; where curves bend more than they cross there is no closest
+    // point.
     const bool kinks = a.is_polygon() || b.is_polygon() || !metric.isIdentity();
     return kinks || moved < 1e-4 * limit ? best : std::nullopt;
 }
@@ -201,19 +202,25 @@ void add_point(std::vector<Station>& points, const TubePair& tubes, const Statio
         points.push_back(point);
 }
 
+double point_weight(const TubePair& tubes, double arc_a, double arc_b, double spacing,
+                    double tolerance) {
+    // Half a spacing away along the mean curve the distance has grown by sharpness (spacing / 2)^2
+    // / d.
+    const double missed = tolerance * (tubes.a.radius + tubes.b.radius) * 4 / (spacing * spacing);
+    const double share = tubes.sharpness(arc_a, arc_b) / std::max(flattest, missed);
+    const double x = std::clamp((share - 0.6) / 0.6, 0.0, 1.0);
+    return spacing * x * x * (3 - 2 * x);
+}
+
 std::optional<Station> point_station_near(const TubePair& tubes, double arc_a, double arc_b,
                                           double spacing, double tolerance) {
     const auto at = tubes.closest(arc_a, arc_b);
     if (!at || std::abs(at->first - arc_a) > 3 * spacing)
         return std::nullopt;
-    // Half a spacing away along the mean curve the distance has grown by sharpness (spacing / 2)^2
-    // / d.
-    const double missed = tolerance * (tubes.a.radius + tubes.b.radius) * 4 / (spacing * spacing);
-    const double share = tubes.sharpness(at->first, at->second) / std::max(flattest, missed);
-    const double x = std::clamp((share - 0.6) / 0.6, 0.0, 1.0);
-    if (x == 0)
+    const double weight = point_weight(tubes, at->first, at->second, spacing, tolerance);
+    if (weight == 0)
         return std::nullopt;
-    return tubes.station(at->first, at->second, spacing * x * x * (3 - 2 * x), point_station);
+    return tubes.station(at->first, at->second, weight, point_station);
 }
 
 std::vector<Station> point_stations(const TubePair& tubes, const std::vector<Station>& line,

@@ -65,10 +65,15 @@ std::vector<Station> line_stations(const TubePair& tubes, const std::vector<Elem
 void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point,
                double spacing);
 
-/// Point station at the closest approach near rest arc lengths (mm). Its weight grows from nothing
-/// to a whole spacing with the sharpness of the approach, between 0.6 and 1.2 times that at which
-/// line stations miss `tolerance` (mm) of it: stations that came and went at once would keep a rope
-/// from coming to rest. Nothing where line stations see the approach well enough.
+/// Weight of a point station at a closest approach, mm. It grows from nothing to a whole spacing
+/// with the sharpness of the approach, between 0.6 and 1.2 times that at which line stations miss
+/// `tolerance` (mm) of it: stations that came and went at once would keep a rope from coming to
+/// rest.
+double point_weight(const TubePair& tubes, double arc_a, double arc_b, double spacing,
+                    double tolerance);
+
+/// Point station at the closest approach near rest arc lengths (mm). Nothing where line stations
+/// see the approach well enough.
 std::optional<Station> point_station_near(const TubePair& tubes, double arc_a, double arc_b,
                                           double spacing, double tolerance);
 

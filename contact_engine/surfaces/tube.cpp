@@ -87,7 +87,8 @@ CurvePoint curve_point(const Tube& tube, Unknowns q, double s) {
     // Tangents of degree-1 curves are always the smooth ones: those of the polygon jump at its
     // nodes.
     const Support slope = tube.degree == 1 ? smooth_support(tube, s) : element_support(tube, s);
-    CurvePoint out{combined(tube, q, tube.is_polygon() ? element_support(tube, s) : slope), Vec3::Zero()};
+    CurvePoint out{combined(tube, q, tube.is_polygon() ? element_support(tube, s) : slope),
+                   Vec3::Zero()};
     for (int i = 0; i < slope.count; ++i)
         out.tangent += slope.slope[i] * vector_at(q, tube.unknown_of(slope.node[i]));
     out.tangent /= tube.element_length;

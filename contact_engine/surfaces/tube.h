@@ -17,14 +17,14 @@ namespace braidx {
 struct Tube {
     std::int64_t first_unknown; ///< engine number of the first unknown of the first node
     std::int32_t num_elements;
-    int degree;            ///< degree of the finite elements, 1 or 2
-    int block;             ///< unknowns per node: 3 (cable) or 9 (beam: x, g1, g2)
-    double radius;         ///< mm
-    double element_length; ///< rest length of an element, mm (mean)
-    int body;              ///< number of the body, for friction per pair of bodies
-    bool smooth;           ///< C1 contact geometry through the nodes (degree 1 only)
-    bool is_image = false; ///< its equilibrium repeats that of another tube, by symmetry: nobody
-                           ///< asks for the rows of its unknowns in residual and tangent
+    int degree;              ///< degree of the finite elements, 1 or 2
+    int block;               ///< unknowns per node: 3 (cable) or 9 (beam: x, g1, g2)
+    double radius;           ///< mm
+    double element_length;   ///< rest length of an element, mm (mean)
+    int body;                ///< number of the body, for friction per pair of bodies
+    bool smooth;             ///< C1 contact geometry through the nodes (degree 1 only)
+    bool is_image = false;   ///< its equilibrium repeats that of another tube, by symmetry: nobody
+                             ///< asks for the rows of its unknowns in residual and tangent
     std::int32_t beyond = 0; ///< elements past either end, for contact across the ends of a sample
 
     bool is_polygon() const { return degree == 1 && !smooth; }

@@ -16,7 +16,9 @@ from .state import State
 LANDING = 0.002  # a force is reached when it is missed by less than this fraction
 SETTLED = 0.05  # settled: the force is missed by less than this fraction (at zero force: yarns
 UNSTRETCHED = 1e-6  # would be strained by less than this), and
-REST = 1e-3  # the stabilisation's work in an increment, over the internal energy
+HARD, EASY = 20, 8  # Newton iterations of an increment on the way to rest, and
+CALM = 4.0  # factor on the stabilisation then
+REST = 3e-3  # the stabilisation's work in an increment, over the internal energy
 
 
 def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
@@ -38,8 +40,12 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
         target = puller.strain + (missing / parallel if abs(missing) > near else 0.0)
         energy = max(model.internal_energy(puller.state.q), 1e-12)
         rest = attempt.increment.stabilisation_work < REST * energy and target == puller.strain
+        rest = rest and puller.calming == 1.0
         done = step.increments if rest and puller.grown(step) else done
-        reached = {"settled": done, "target": target}
+        # The last increment is to be at rest.
+        last = done >= step.increments - 1
+        puller.calming = 1.0 if last else _next_calming(puller.calming, attempt.iterations)
+        reached = {"settled": done, "target": target, "calming": puller.calming}
         puller.state = replace(
             puller.state,
             # On the way to rest the stabilisation works as it should: what counts is what it still does there.
@@ -128,6 +134,13 @@ def _to_force(puller: Puller, target: float, nominal: float, name: str) -> Itera
 def _next_size(size: float, attempt: Attempt, nominal: float) -> float:
     """Halved by cuts, doubled again up to the nominal size once increments succeed at once."""
     return size / 2 ** attempt.cuts if attempt.cuts else min(2 * size, nominal)
+
+
+def _next_calming(calming: float, iterations: int) -> float:
+    """More stabilisation for a rope that came to rest with pains, less for one that did so with ease."""
+    if iterations > HARD:
+        return CALM * calming
+    return max(1.0, calming / CALM) if iterations < EASY else calming
 
 
 def _outcome(

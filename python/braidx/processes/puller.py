@@ -41,6 +41,7 @@ class Puller:
     def __init__(self, model: RopeModel, state: State) -> None:
         self.model, self.state = model, state
         self.strain = state.progress.get("strain", 0.0)
+        self.calming = state.progress.get("calming", 1.0)  # factor on the stabilisation
         self.share = state.progress.get("share", 0.0)  # reached of what groups of ends ask for
         scene = model.scene
         penetration = scene.contact.penetration_tolerance * model.rope.radius.min()
@@ -87,7 +88,7 @@ class Puller:
         """
         scene = self.model.scene
         solver, strain = scene.solver, self._mean_tension(self.state.q) / scene.yarn.axial_stiffness
-        factor = 4.0**cuts * min(max(strain / FULL, LEAST), 1.0)
+        factor = self.calming * 4.0**cuts * min(max(strain / FULL, LEAST), 1.0)
         self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
 
     def force(self) -> float:

@@ -67,7 +67,7 @@ class Settle(Step):
     table: ClassVar[str] = "settle"
 
     force: float = option(0.1, unit="kN", minimum=0.0, doc="Force on the rope.")
-    increments: int = option(10, minimum=1, doc="Most increments.")
+    increments: int = option(60, minimum=1, doc="Most increments.")
     ends: float = option(
         1.0,
         doc="Share of what [[ends.groups]] prescribe (displacement, rotation, force, moment) that is reached at the "
