@@ -30,6 +30,7 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
     parallel = model.rope.num_yarns * model.scene.yarn.axial_stiffness
     near = max(SETTLED * wanted, UNSTRETCHED * parallel)
     puller = Puller(model, state)
+    puller.releases = False
     target = state.progress.get("target", puller.strain)
     while done < step.increments or not puller.grown(step):
         # Groups of ends have half of the increments to get where they are wanted.

@@ -18,6 +18,7 @@ from .state import State
 FULL = (
     1e-3  # strain of the yarns, in the mean, from which on the stabilisation is what the scene says
 )
+HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave
 LEAST = 0.01  # share of it that is left where yarns are slack
 BENT = 1e-3  # of a yarn radius: distance from rigid that is left to a group of ends
 TURNS = 8  # repetitions of an increment in which bodies turn on
@@ -42,7 +43,11 @@ class Puller:
         self.model, self.state = model, state
         self.strain = state.progress.get("strain", 0.0)
         self.calming = state.progress.get("calming", 1.0)  # factor on the stabilisation
+        self.releases = True  # whether the stabilisation is to let go of states found
         self.share = state.progress.get("share", 0.0)  # reached of what groups of ends ask for
+        # Mean tension of the yarns that penalties are made for: they grow with what is expected of increments.
+        self._most = state.progress.get("tension", 0.0) or self._mean_tension(state.q)
+        self._expected = self._most
         scene = model.scene
         penetration = scene.contact.penetration_tolerance * model.rope.radius.min()
         self._options = IncrementOptions(penetration=penetration)
@@ -126,16 +131,15 @@ class Puller:
         if isinstance(ends, GroupedEnds):
             model.loads.loads = ends.loads(placed, share)
         first = system.expand(system.free_values(placed))
-        return model.incrementer.solve(self.state.q, first, self._options, self._stiffening(first))
+        self._expected = self._mean_tension(first)
+        stiffening = max(1.0, self._expected / self._most) if self._most > 0 else 1.0
+        energy = model.internal_energy(first)
+        options = replace(self._options, stabilisation=HELD * energy if self.releases else None)
+        return model.incrementer.solve(self.state.q, first, options, stiffening)
 
     def _is_rigid(self, q: Floats) -> bool:
         ends = self.model.ends
         return not isinstance(ends, GroupedEnds) or ends.bent(q) < self._bent
-
-    def _stiffening(self, guess: Floats) -> float:
-        """Growth of the yarns' mean tension beyond the largest so far, by the guess of the increment's end."""
-        most = self.state.progress.get("tension", 0.0) or self._mean_tension(self.state.q)
-        return max(1.0, self._mean_tension(guess) / most) if most > 0 else 1.0
 
     def _mean_tension(self, q: Floats) -> float:
         return float(np.mean(self.model.tension(q)))
@@ -152,13 +156,17 @@ class Puller:
 
     def _take(self, increment: Increment, strain: float, share: float) -> None:
         self.strain, self.share = strain, share
-        most = self.state.progress.get("tension", 0.0)
-        tension = max(most, self._mean_tension(increment.q))
+        self._most = max(self._most, self._expected)
         self.state = replace(
             self.state,
             q=increment.q,
             contacts=self.model.contact.arrays(),
-            progress={**self.state.progress, "strain": strain, "share": share, "tension": tension},
+            progress={
+                **self.state.progress,
+                "strain": strain,
+                "share": share,
+                "tension": self._most,
+            },
             stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
             friction_work=self.state.friction_work + increment.friction_work,
         )

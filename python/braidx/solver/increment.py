@@ -21,6 +21,7 @@ EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
 FORCING = 0.03  # an equilibrium is found to this fraction of the residual that its contact elements started with
 REACH = 0.1  # elements that sections may move before the tangent of repeated contact updates needs a new pattern
 NEW_POINTS = 1  # contact updates of an increment that may change which point stations there are
+RELEASES = 4  # times that the stabilisation may let go in one increment
 UNFOLLOWED = 2  # updates with frozen sections after following ones did not converge
 
 
@@ -32,6 +33,8 @@ class IncrementOptions:
         pairing_tolerance: Relative residual that fresh contact elements may leave in an equilibrium
             found with the ones before; below it the pairing counts as consistent.
         penetration: Largest penetration accepted, mm; None leaves the penalty as it is.
+        stabilisation: Work of the stabilisation above which it lets go, mJ: it then acts against departures from
+            the state found, until the next one is near. None: it never does.
         max_updates: Contact updates before the increment counts as failed.
         in_passing: Whether updates may stop at `max_updates` without a consistent pairing, as while
             a rope is formed and each increment is but one step on the way.
@@ -39,6 +42,7 @@ class IncrementOptions:
 
     pairing_tolerance: float = 1e-3
     penetration: float | None = None
+    stabilisation: float | None = None
     max_updates: int = 40
     in_passing: bool = False
 
@@ -51,7 +55,7 @@ class Increment:
         q: Unknowns at its end, shape (num_unknowns,).
         iterations, linear_solves, updates: What it took.
         residual: Relative residual with the final contact elements.
-        stabilisation_work: Work taken by the proximal term, mJ.
+        stabilisation_work: Work that the proximal term takes in the equilibrium found, mJ.
         friction_work: Work dissipated by friction, mJ.
         penetration: Deepest penetration, mm, at least 0.
         contact_elements: Their number, all processes.
@@ -113,7 +117,7 @@ class Incrementer:
             self.contact.adopt_stiffness()
         attempt = _Attempt(guess)
         try:
-            while not self._accepted(attempt, options):
+            while not self._accepted(attempt, options) or self._lets_go(attempt, options):
                 self._improve(attempt, options.in_passing)
         except Diverged:
             self.contact.restore(before)
@@ -154,6 +158,16 @@ class Incrementer:
         raise attempt.failed(
             f"no consistent pairing after {attempt.updates} contact updates, {why}"
         )
+
+    def _lets_go(self, attempt: _Attempt, options: IncrementOptions) -> bool:
+        """Whether the stabilisation still holds the state found, which it lets go then."""
+        most = np.inf if options.stabilisation is None else options.stabilisation
+        if attempt.releases >= RELEASES or self.proximal.work(attempt.q) <= most:
+            return False
+        attempt.releases += 1
+        self.proximal.start = attempt.q
+        self._measure(attempt)
+        return True
 
     def _update(self, attempt: _Attempt) -> None:
         """New contact elements, and the residual they leave."""
@@ -226,6 +240,7 @@ class _Attempt:
     unfollowed: int = 0
     raised: int = 0
     exhausted: int = 0
+    releases: int = 0
     updates: int = 0
     iterations: int = 0
     solves: int = 0

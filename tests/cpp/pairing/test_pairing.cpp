@@ -232,3 +232,40 @@ TEST_CASE("any number of threads makes the same contact elements, bit by bit", "
         }
     }
 }
+
+TEST_CASE("weights of point stations grow and fade step by step on tubes that touched before",
+          "[pairing]") {
+    PairingOptions options;
+    const auto crossed_at = [&](double angle, const ContactElements& before) {
+        Rods rods;
+        rods.add_straight(smooth_cable, 12, 1.0, {0, 0, -10}, {0, 0, 10});
+        const Vec3 along(0, 10 * std::sin(angle), 10 * std::cos(angle));
+        rods.add_straight(smooth_cable, 12, 1.0, Vec3(1.98, 0, 0) - along, Vec3(1.98, 0, 0) + along);
+        return make_contact_elements({rods.tubes, {}, {}}, rods.q, before, options);
+    };
+    const auto point_weight = [](const ContactElements& elements) {
+        double weight = 0;
+        for (const auto& e : elements)
+            weight += e.station == point_station ? e.weight : 0;
+        return weight;
+    };
+    CHECK(point_weight(crossed_at(0.2, {})) == 0);
+    CHECK(point_weight(crossed_at(0.8, {})) > 0.9); // fresh tubes: at once
+
+    auto elements = crossed_at(0.2, {});
+    double weight = 0;
+    for (int step = 0; weight < 0.9; ++step) {
+        REQUIRE(step < 10);
+        elements = crossed_at(0.8, elements);
+        CHECK(point_weight(elements) > weight);
+        CHECK(point_weight(elements) <= 2 * weight + 0.03);
+        weight = point_weight(elements);
+    }
+    for (int step = 0; weight > 0; ++step) {
+        REQUIRE(step < 10);
+        elements = crossed_at(0.2, elements);
+        CHECK(point_weight(elements) < weight);
+        CHECK((point_weight(elements) >= 0.49 * weight || point_weight(elements) == 0));
+        weight = point_weight(elements);
+    }
+}

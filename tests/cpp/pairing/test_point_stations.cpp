@@ -165,3 +165,17 @@ TEST_CASE("rods with kinks have at most one contact at their crossing, one where
                           found.pair.across(s).norm() + tolerance);
             }
 }
+
+TEST_CASE("curves that bend around each other more than they cross have no closest approach",
+          "[point_stations]") {
+    // Wound around each other at a slope that changes along them: the distance has no minimum.
+    Rods rods;
+    for (const double sign : {1.0, -1.0})
+        rods.add(smooth_cable, 24, 1.0, [=](double t) {
+            const double z = 20 * (t - 0.5), angle = 0.35 * z, r = 1.0 + 0.002 * z;
+            return Vec3(sign * r * std::cos(angle), sign * r * std::sin(angle), z);
+        });
+    const TubePair pair{rods.tubes[0], rods.tubes[1], rods.q, 1};
+    const double middle = rods.tubes[0].length() / 2;
+    CHECK_FALSE(pair.closest(middle, middle).has_value());
+}
