@@ -197,9 +197,11 @@ class Former:
         newton, contact, number = self.model.newton, self.model.contact, self._number
         options = IncrementOptions(max_updates=1, in_passing=True)
         newton.tolerance, newton.max_iterations = PASSING
+        newton.bold = False
         if number["pressed"] and number["open"]:
             options = IncrementOptions(penetration=self._tolerance)
             newton.restore_options()
+            newton.bold = True
             contact.laws.gap_step = -1.0
             friction = self.step.friction
             contact.laws.friction = [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from mpi4py.MPI import MAX
@@ -15,6 +15,8 @@ from ..system.global_system import GlobalSystem
 
 NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
 INDEFINITE = "the tangent is not positive definite"
+LINE_SEARCH = "snes_linesearch_type"
+VAIN = 3  # full steps in a row, none of which comes nearer than the best before, after which steps are searched for
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,14 @@ class NewtonResult:
     residual: float
     reason: str
 
+    def after(self, other: NewtonResult) -> NewtonResult:
+        """This outcome with the cost of another attempt before it."""
+        return replace(
+            self,
+            iterations=other.iterations + self.iterations,
+            linear_solves=other.linear_solves + self.linear_solves,
+        )
+
     @property
     def exhausted(self) -> bool:
         """Whether it only ran out of iterations."""
@@ -55,11 +65,15 @@ class NewtonResult:
 
 
 class Newton:
-    """Newton's method with line search for a global system.
+    """Newton's method for a global system: with full steps and, if these lead away, once more with a line search.
+
+    Contacts that open and close let the residual rise before it falls: full steps find out which they are in a few
+    iterations, where a line search would shorten all of them. But nothing keeps full steps from getting lost.
 
     Attributes:
         directors: Whether an unknown belongs to a director, shape (num_unknowns,).
         symmetric: Whether the tangent is symmetric; a change takes effect with `renew`.
+        bold: Whether full steps are tried first.
         indefinite: Whether the solver in use copes with an indefinite tangent, at a higher price.
         tolerance, max_iterations: As in the options, unless loosened for states only passed through.
     """
@@ -70,9 +84,12 @@ class Newton:
         self.directors = directors
         self.symmetric = options.symmetric
         self._residual = system.vector.duplicate()
-        self._snes: PETSc.SNES | None = None
+        self._searching: PETSc.SNES | None = None
+        self._full: PETSc.SNES | None = None
         self.indefinite = False
+        self.bold = True
         self._enough = self._iterations_left = 0.0
+        self._least, self._in_vain, self._most_in_vain = np.inf, 0.0, np.inf
         self._norm = np.inf
         self.restore_options()
 
@@ -83,8 +100,17 @@ class Newton:
     def renew(self, indefinite: bool = False) -> None:
         """Sets the solver up for the system's current matrix, which may be told to be indefinite."""
         self.indefinite = indefinite
-        if self._snes is not None:
-            self._snes.destroy()
+        for snes in (self._searching, self._full):
+            if snes is not None:
+                snes.destroy()
+        given = dict(self.options.petsc or {})
+        self._searching = self._make({LINE_SEARCH: "bt", **given})
+        self._full = None
+        if LINE_SEARCH not in given:
+            self._full = self._make({LINE_SEARCH: "basic", **given})
+            self._full.setKSP(self._searching.getKSP())
+
+    def _make(self, petsc: Mapping[str, object]) -> PETSc.SNES:
         snes = PETSc.SNES().create(self.system.comm)
         snes.setOptionsPrefix("braidx_")
         snes.setFunction(self._function, self._residual)
@@ -96,13 +122,13 @@ class Newton:
         ksp.setType("preonly")
         factorisation = ksp.getPC()
         factorisation.setType("cholesky" if self.symmetric else "lu")
-        definite = self.symmetric and self.system.comm.size == 1 and not indefinite
+        definite = self.symmetric and self.system.comm.size == 1 and not self.indefinite
         factorisation.setFactorSolverType("cholmod" if definite else "mumps")
         # A failed factorisation is dealt with: CHOLMOD need not tell the user.
         quiet: dict[str, object] = {"mat_cholmod_print": 0} if definite else {}
-        _set_options({"snes_linesearch_type": "bt", **quiet, **(self.options.petsc or {})})
+        _set_options({**quiet, **petsc})
         snes.setFromOptions()
-        self._snes = snes
+        return snes
 
     def solve(self, q: Floats, enough: float = 0.0) -> tuple[Floats, NewtonResult]:
         """Equilibrium from the start q (all unknowns), shape (num_unknowns,), mm.
@@ -113,21 +139,29 @@ class Newton:
         Returns:
             All unknowns at the last iterate, and the outcome.
         """
-        if self._snes is None:
+        if self._searching is None:
             self.renew()
         self._enough = max(enough, self.tolerance)
-        self.system.scatter(self.system.free_values(q), self.system.vector)
-        result = self._run()
-        if result.reason == INDEFINITE and not self.indefinite:
-            # Where yarns are about to slide off each other the tangent has a negative eigenvalue.
-            self.renew(indefinite=True)
-            result = self._run(result.iterations)
+        start, tried = self.system.free_values(q), None
+        if self.bold and self._full is not None:
+            self.system.scatter(start, self.system.vector)
+            result = tried = self._run(self._full, 0, VAIN)
+        if tried is None or not tried.converged:
+            self.system.scatter(start, self.system.vector)
+            result = self._run(self._searching)
+            if result.reason == INDEFINITE and not self.indefinite:
+                # Where yarns are about to slide off each other the tangent has a negative eigenvalue.
+                self.renew(indefinite=True)
+                result = self._run(self._searching, result.iterations)
+            result = result if tried is None else result.after(tried)
         return self.system.expand(self.system.gather(self.system.vector)), result
 
-    def _run(self, before: int = 0) -> NewtonResult:
-        snes = self._snes
+    def _run(
+        self, snes: PETSc.SNES | None, before: int = 0, most_in_vain: float = np.inf
+    ) -> NewtonResult:
         assert snes is not None
         self._iterations_left = self.max_iterations - before
+        self._least, self._in_vain, self._most_in_vain = np.inf, 0, most_in_vain
         try:
             snes.solve(None, self.system.vector)
             reason = _reason_name(snes.getConvergedReason())
@@ -171,6 +205,10 @@ class Newton:
             return PETSc.SNES.ConvergedReason.CONVERGED_FNORM_RELATIVE
         if iteration >= self._iterations_left:
             return PETSc.SNES.ConvergedReason.DIVERGED_MAX_IT
+        self._in_vain = 0 if self._norm < self._least else self._in_vain + 1
+        self._least = min(self._least, self._norm)
+        if self._in_vain >= self._most_in_vain:
+            return PETSc.SNES.ConvergedReason.DIVERGED_LOCAL_MIN
         return PETSc.SNES.ConvergedReason.ITERATING
 
     def _limit_step(self, x: PETSc.Vec, step: PETSc.Vec) -> bool:

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from braidx.output import snapshot
 from braidx.processes import state
 from braidx.scene import load_scene
 
@@ -50,6 +51,22 @@ def test_two_processes_find_what_one_does(run, whole_run, tmp_path):
     assert two["wrong_side_crossings"] == one["wrong_side_crossings"] == 0
     for name in ("rope_axial_stiffness", "outer_diameter_loaded", "yarn_stress_mean"):
         assert two[name] == pytest.approx(one[name], rel=1e-6)
+
+
+def test_one_pitch_stands_for_all(run, tmp_path):
+    """A rope of two pitches, solved as one pitch and as a whole."""
+    two = ["--set", "rope.pitches=2"]
+    one = run(tmp_path / "one", *two)
+    whole = run(tmp_path / "whole", *two, "--set", "solver.symmetry=false")
+    assert whole.summary["cost"]["unknowns"] > 4 * one.summary["cost"]["unknowns"]
+    for name in ("rope_axial_stiffness", "outer_diameter_formed", "outer_diameter_loaded"):
+        assert one.values[name] == pytest.approx(whole.values[name], rel=1e-3)
+    for name in ("yarn_stress_mean", "yarn_stress_min", "yarn_stress_max"):
+        assert one.values[name] == pytest.approx(whole.values[name], rel=5e-3)
+    last = max((one.folder / "snapshots").iterdir())
+    lines = snapshot.load(last).centre_lines
+    ends = np.array([line[[0, -1], 2] for line in lines])
+    assert np.ptp(ends, axis=1) == pytest.approx(2 * 36.0, rel=0.02)
 
 
 def test_a_diverged_run_keeps_what_it_had(run, tmp_path):

@@ -109,3 +109,18 @@ def test_stabilisation_works_on_departures_from_the_guess():
     assert increment.stabilisation_work == pytest.approx(expected)
     model.set_viscosity(0.0)
     assert model.proximal.work(increment.q) == 0.0
+
+
+def test_stabilisation_lets_go_of_the_state_found():
+    """What it holds is little by then: forces are nearly in balance without it."""
+    works, unbalanced = [], []
+    for most in (None, 1e-9):
+        model, q = short_strand("contact.friction=0.0")
+        q = q + 1e-3 * np.sin(np.arange(len(q)))  # far from where an even stretch brings it
+        model.set_viscosity(3000.0)
+        increment = pull(model, q, 1e-3, IncrementOptions(stabilisation=most))
+        works.append(increment.stabilisation_work)
+        model.set_viscosity(0.0)
+        unbalanced.append(model.newton.residual(increment.q))
+    assert works[1] < 0.1 * works[0]
+    assert unbalanced[1] < 0.3 * unbalanced[0]
