@@ -33,7 +33,9 @@ def scene_of(num_yarns: int, pitches: int, overrides: Sequence[str] = ()) -> Sce
     size = [f"rope.pitches={pitches}", f"strand.rings={rings}", "output.pictures=false"]
     scene = load_scene(PAPER, [*size, *touching, "output.fields=false", *overrides])
     share = num_yarns / 84
-    room = 1.05 if num_yarns < 84 else 1.0  # strands of three yarns are less round than those of seven
+    room = (
+        1.05 if num_yarns < 84 else 1.0
+    )  # strands of three yarns are less round than those of seven
     steps = []
     for step in scene.steps[:3]:
         if isinstance(step, Form) and step.die_diameter is not None:

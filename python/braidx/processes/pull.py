@@ -16,15 +16,18 @@ from .state import State
 LANDING = 0.002  # a force is reached when it is missed by less than this fraction
 SETTLED = 0.05  # settled: the force is missed by less than this fraction (at zero force: yarns
 UNSTRETCHED = 1e-6  # would be strained by less than this), and
+STRIDES = 4.0  # most of what parallel yarns would need that the end is moved by
 HARD, EASY = 20, 8  # Newton iterations of an increment on the way to rest, and
-CALM = 4.0  # factor on the stabilisation then
-REST = 3e-3  # the stabilisation's work in an increment, over the internal energy
+CALM = 4.0  # factor on the stabilisation then, and
+LEAST = 4.0**-4  # the least that it becomes
+REST = 1e-3  # the stabilisation's work in an increment, over the internal energy
 
 
 def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
     """Lets the rope come to rest at a force: until that is met and the stabilisation does no more work.
 
-    The end is moved by what parallel yarns would need for the force that is missing.
+    The end is moved by what parallel yarns would need for the force that is missing, and by more and more of it while
+    the rope gives way.
     """
     done, wanted = int(state.progress.get("settled", 0)), 1e3 * step.force
     parallel = model.rope.num_yarns * model.scene.yarn.axial_stiffness
@@ -32,21 +35,29 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
     puller = Puller(model, state)
     puller.releases = False
     target = state.progress.get("target", puller.strain)
+    missing, stride = state.progress.get("missing", 0.0), state.progress.get("stride", 1.0)
     while done < step.increments or not puller.grown(step):
         # Groups of ends have half of the increments to get where they are wanted.
         share = puller.next_share(step, (step.increments + 1) // 2 - done)
         attempt = puller.to(target, share)
         done += 1
-        missing = wanted - puller.force()
-        target = puller.strain + (missing / parallel if abs(missing) > near else 0.0)
+        before, missing = missing, wanted - puller.force()
+        stride = min(2 * stride, STRIDES) if 0.5 * before**2 < missing * before else 1.0
+        target = puller.strain + (stride * missing / parallel if abs(missing) > near else 0.0)
         energy = max(model.internal_energy(puller.state.q), 1e-12)
         rest = attempt.increment.stabilisation_work < REST * energy and target == puller.strain
-        rest = rest and puller.calming == 1.0
+        rest = rest and puller.calming <= 1.0
         done = step.increments if rest and puller.grown(step) else done
-        # The last increment is to be at rest.
-        last = done >= step.increments - 1
-        puller.calming = 1.0 if last else _next_calming(puller.calming, attempt.iterations)
-        reached = {"settled": done, "target": target, "calming": puller.calming}
+        puller.calming = _next_calming(puller.calming, attempt.iterations)
+        if done >= step.increments - 1:  # the last one is to be at rest
+            puller.calming = min(puller.calming, 1.0)
+        reached = {
+            "settled": done,
+            "target": target,
+            "calming": puller.calming,
+            "missing": missing,
+            "stride": stride,
+        }
         puller.state = replace(
             puller.state,
             # On the way to rest the stabilisation works as it should: what counts is what it still does there.
@@ -138,10 +149,10 @@ def _next_size(size: float, attempt: Attempt, nominal: float) -> float:
 
 
 def _next_calming(calming: float, iterations: int) -> float:
-    """More stabilisation for a rope that came to rest with pains, less for one that did so with ease."""
+    """More stabilisation for a rope that is found with pains, less, and more way to go, for one found with ease."""
     if iterations > HARD:
         return CALM * calming
-    return max(1.0, calming / CALM) if iterations < EASY else calming
+    return max(calming / CALM, LEAST) if iterations < EASY else calming
 
 
 def _outcome(

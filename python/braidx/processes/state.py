@@ -59,7 +59,11 @@ class State:
 
     def next_step(self) -> State:
         """The same state at the beginning of the step that follows."""
-        kept = {name: self.progress[name] for name in ("strain", "share", "tension") if name in self.progress}
+        kept = {
+            name: self.progress[name]
+            for name in ("strain", "share", "tension")
+            if name in self.progress
+        }
         return replace(self, step=self.step + 1, progress=kept)
 
 
