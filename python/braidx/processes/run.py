@@ -19,7 +19,8 @@ from .form import form
 from .grouped_ends import check_ends
 from .model import RopeModel
 from .outcome import NotConverged, Outcome
-from .pull import cycle, hold, pull, settle
+from .pull import cycle, hold, pull
+from .settle import settle
 from .recorder import Recorder
 from .pitches import next_stage
 from .start import in_own_model, make_model, start_state

@@ -240,7 +240,8 @@ TEST_CASE("weights of point stations grow and fade step by step on tubes that to
         Rods rods;
         rods.add_straight(smooth_cable, 12, 1.0, {0, 0, -10}, {0, 0, 10});
         const Vec3 along(0, 10 * std::sin(angle), 10 * std::cos(angle));
-        rods.add_straight(smooth_cable, 12, 1.0, Vec3(1.98, 0, 0) - along, Vec3(1.98, 0, 0) + along);
+        rods.add_straight(smooth_cable, 12, 1.0, Vec3(1.98, 0, 0) - along,
+                          Vec3(1.98, 0, 0) + along);
         return make_contact_elements({rods.tubes, {}, {}}, rods.q, before, options);
     };
     const auto point_weight = [](const ContactElements& elements) {

@@ -1,0 +1,98 @@
+"""Settle: a rope comes to rest at a force."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ..scene import Settle
+from .model import RopeModel
+from .outcome import Outcome
+from .pull import outcome
+from .puller import Attempt, Puller
+from .state import State
+
+SETTLED = 0.05  # settled: the force is missed by less than this fraction (at zero force: yarns
+UNSTRETCHED = 1e-6  # would be strained by less than this), and
+STRIDES = 4.0  # most of what parallel yarns would need that the end is moved by
+HARD, EASY = 20, 8  # Newton iterations of an increment on the way to rest, and
+CALM = 4.0  # factor on the stabilisation then, and
+LEAST = 4.0**-4  # the least that it becomes
+REST = 1e-3  # the stabilisation's work in an increment, over the internal energy
+
+
+def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
+    """Lets the rope come to rest at a force: until that is met and the stabilisation does no more work."""
+    settler = Settler(model, state, step)
+    while not settler.finished:
+        yield settler.increment()
+
+
+class Settler:
+    """The way of a rope to rest; all its numbers are in the state's progress, so that it can go on from a checkpoint.
+
+    The end is moved by what parallel yarns would need for the force that is missing, and by more and more of it while
+    the rope gives way. On the way the stabilisation becomes what an increment can do with, so that the rope goes far in
+    few increments; at its end it is what it is in other steps, or less.
+    """
+
+    def __init__(self, model: RopeModel, state: State, step: Settle) -> None:
+        self.model, self.step = model, step
+        self._puller = Puller(model, state)
+        self._puller.releases = False
+        self._parallel = model.rope.num_yarns * model.scene.yarn.axial_stiffness
+        self._wanted = 1e3 * step.force
+        self._near = max(SETTLED * self._wanted, UNSTRETCHED * self._parallel)
+        start = {"settled": 0.0, "target": self._puller.strain, "missing": 0.0, "stride": 1.0}
+        self._number = {name: state.progress.get(name, value) for name, value in start.items()}
+
+    @property
+    def finished(self) -> bool:
+        """Whether the rope rests, or the increments are used up, and groups of ends are where they are wanted."""
+        return self._number["settled"] >= self.step.increments and self._puller.grown(self.step)
+
+    def increment(self) -> Outcome:
+        """One increment towards rest."""
+        puller, number, increments = self._puller, self._number, self.step.increments
+        # Groups of ends have half of the increments to get where they are wanted.
+        share = puller.next_share(self.step, (increments + 1) // 2 - int(number["settled"]))
+        attempt = puller.to(number["target"], share)
+        number["settled"] += 1
+        self._aim()
+        if self._rests(attempt):
+            number["settled"] = float(increments)
+        self._calm(attempt)
+        puller.state = replace(
+            puller.state,
+            # On the way to rest the stabilisation works as it should: what counts is what it still does there.
+            stabilisation_work=attempt.increment.stabilisation_work,
+            progress={**puller.state.progress, **number, "calming": puller.calming},
+        )
+        name = "settled" if self.finished else None
+        return outcome(puller, attempt, min(1.0, number["settled"] / increments), name)
+
+    def _aim(self) -> None:
+        """Where the end is moved next."""
+        number, strain = self._number, self._puller.strain
+        before, missing = number["missing"], self._wanted - self._puller.force()
+        gives_way = missing * before > 0.5 * before**2
+        number["stride"] = min(2 * number["stride"], STRIDES) if gives_way else 1.0
+        number["missing"] = missing
+        way = number["stride"] * missing / self._parallel
+        number["target"] = strain + (way if abs(missing) > self._near else 0.0)
+
+    def _rests(self, attempt: Attempt) -> bool:
+        puller = self._puller
+        energy = max(self.model.internal_energy(puller.state.q), 1e-12)
+        still = attempt.increment.stabilisation_work < REST * energy and puller.calming <= 1.0
+        return still and self._number["target"] == puller.strain and puller.grown(self.step)
+
+    def _calm(self, attempt: Attempt) -> None:
+        """More stabilisation for a rope that is found with pains, less, and more way to go, for one found with ease."""
+        puller = self._puller
+        if attempt.iterations > HARD:
+            puller.calming *= CALM
+        elif attempt.iterations < EASY:
+            puller.calming = max(puller.calming / CALM, LEAST)
+        if self._number["settled"] >= self.step.increments - 1:  # the last one is to be at rest
+            puller.calming = min(puller.calming, 1.0)
