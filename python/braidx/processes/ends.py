@@ -17,8 +17,10 @@ class Ends:
     """Constraints on the first and the last node of each yarn.
 
     Axially the first section stays and the last one is moved as one plane. Across, each yarn's last
-    node follows its first (periodic), both stay (fixed), or are free. Where the rope is kept
-    symmetric, yarns follow the one that they are images of, from end to end.
+    node follows its first (periodic), both stay (fixed), or are free. Where the rope goes on past its
+    ends, these are no planes: each yarn's last node follows its first along the axis, too, and of the
+    first ones only one stays. Where the rope is kept symmetric, yarns follow the one that they are
+    images of, from end to end.
 
     Attributes:
         nodes: The end nodes.
@@ -32,7 +34,8 @@ class Ends:
         symmetry: Yarns that follow others.
         at: Unknowns of the state whose end sections are held, shape (num_unknowns,).
         cut: Whether the rope ends there, even if its ends are alike.
-        pulled: Whether a force moves the last section, as one plane, instead of its being held axially.
+        pulled: Whether a force moves the last section instead of its being held axially.
+        planar: Whether sections are planes even where the rope goes on.
     """
 
     grouped: ClassVar[bool] = False
@@ -45,6 +48,7 @@ class Ends:
         at: Floats,
         pulled: bool = False,
         cut: bool = False,
+        planar: bool = False,
     ) -> None:
         self._options = options
         self.periodic = options.transverse == "periodic" and not cut
@@ -54,6 +58,10 @@ class Ends:
         leads = symmetry.leader == np.arange(len(symmetry.leader))
         self._first, self._last = self.nodes.first[leads], self.nodes.last[leads]
         constraints, self._values = self._across()
+        self._moved = self._last + 2
+        if self.periodic and not planar:
+            self._moved = self._moved[:1]
+            self._repeat(constraints)
         self._along(constraints, pulled)
         for image in np.flatnonzero(~leads):
             self._turn(constraints, symmetry, image)
@@ -83,7 +91,7 @@ class Ends:
             The constraint map and the values of its constraints, mm.
         """
         values = self._values.copy()
-        values[self._last + 2] += strain * self.length
+        values[self._moved] += strain * self.length
         return self._map, values
 
     def _across(self) -> tuple[Constraints, Floats]:
@@ -98,8 +106,18 @@ class Ends:
                 values[section] = self.nodes.rest[section]
         return constraints, values
 
-    def _along(self, constraints: Constraints, pulled: bool) -> None:
+    def _repeat(self, constraints: Constraints) -> None:
+        """All yarns get longer along the axis by what the first one does."""
         first, last = self._first + 2, self._last + 2
+        length = self.nodes.rest[last] - self.nodes.rest[first]
+        of = np.column_stack([first[1:], np.full((len(last) - 1, 2), [last[0], first[0]])])
+        constraints.combine_each(last[1:], of, [1.0, 1.0, -1.0])
+        self._values[last[1:]] = length[1:] - length[0]
+
+    def _along(self, constraints: Constraints, pulled: bool) -> None:
+        """What stays along the axis, and what is moved or pulled."""
+        last = self._moved
+        first = self._first[: len(last)] + 2
         constraints.hold(first)
         self._values[first] = self.nodes.rest[first]
         if pulled:

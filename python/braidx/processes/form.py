@@ -106,7 +106,9 @@ class Former:
         }
         if self._keeps_lengths:
             force = state.results["formed_force"] / model.rope.num_yarns
+            # On the sample, not on its first section, where that moves along.
             model.loads.loads[model.ends.nodes.last_axial] = force
+            model.loads.loads[model.ends.nodes.first + 2] = -force
 
     @property
     def finished(self) -> bool:

@@ -128,7 +128,8 @@ def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends | GroupedEn
     pulled = state.forms and keeps_lengths(scene, state)
     alike = replace(scene.ends, transverse="periodic", groups=())
     if state.model in CELL:
-        return Ends(body, alike, symmetry, state.q, pulled=pulled)
+        # While nodes are spread along yarns, planes tell where the material is.
+        return Ends(body, alike, symmetry, state.q, pulled=pulled, planar=state.model == "cell")
     ends = alike if scene.ends.groups else scene.ends
     at = state.q if state.forms else state.reference
     return Ends(body, ends, symmetry, at, pulled=pulled, cut=bool(scene.ends.groups))
