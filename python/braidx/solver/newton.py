@@ -145,8 +145,10 @@ class Newton:
         start, tried = self.system.free_values(q), None
         if self.bold and self._full is not None:
             self.system.scatter(start, self.system.vector)
-            result = tried = self._run(self._full, 0, VAIN)
-        if tried is None or not tried.converged:
+            result = tried = self._run(self._full, most_in_vain=VAIN)
+        if tried is None or not (tried.converged or tried.exhausted):
+            if tried is not None and tried.reason == INDEFINITE:
+                self.renew(indefinite=True)
             self.system.scatter(start, self.system.vector)
             result = self._run(self._searching)
             if result.reason == INDEFINITE and not self.indefinite:
