@@ -37,13 +37,19 @@ class SectionTilt:
     ) -> None:
         ends = np.concatenate([layout.curves[:-1], layout.curves[1:] - 1])
         node = np.setdiff1d(np.arange(layout.num_nodes), ends) if mine else np.empty(0, np.int64)
+        self._node, self._shear_stiffness = node, shear_stiffness
+        vectors = [9 * node + 3, 9 * node + 6, 9 * (node - 1), 9 * (node + 1)]
+        self._unknowns = (np.stack(vectors, axis=1)[:, :, None] + np.arange(3)).reshape(-1, 12)
+        self.set_reference(rest)
+
+    def set_reference(self, rest: FloatArray) -> None:
+        """Makes a state, shape (num_nodes, 9), the one that is free of shear."""
+        node = self._node
         before, after = rest[node - 1, :3], rest[node + 1, :3]
         span = np.linalg.norm(after - rest[node, :3], axis=1)
         span += np.linalg.norm(rest[node, :3] - before, axis=1)
         self._slope = 1.0 / span
-        self._stiffness = shear_stiffness * span / 2.0
-        vectors = [9 * node + 3, 9 * node + 6, 9 * (node - 1), 9 * (node + 1)]
-        self._unknowns = (np.stack(vectors, axis=1)[:, :, None] + np.arange(3)).reshape(-1, 12)
+        self._stiffness = self._shear_stiffness * span / 2.0
         self._rest: FloatArray = np.zeros((len(node), 2))
         self.set_state(rest.ravel())
         self._rest = self._tilt()

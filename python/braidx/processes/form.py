@@ -17,12 +17,12 @@ import braidx_engine as engine
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from ..bodies import CableBody
 from ..geometry import one_for_all
 from ..output.log import LOGGER
 from ..scene import Form, Scene
 from ..solver.increment import Diverged, Increment, IncrementOptions
 from ..system.constraints import Floats
+from .directors import with_directors
 from .model import RopeModel
 from .outcome import NotConverged, Outcome
 from .state import State
@@ -83,7 +83,8 @@ class Former:
         element = scene.rope.pitch / scene.yarn.elements_per_pitch
         self._viscosity = step.viscosity * step.tension / element
         self._in_die, self._keeps_lengths = in_die(scene, state), keeps_lengths(scene, state)
-        self._turning = element**2 if self._keeps_lengths else 0.0
+        self._beams = model.body.block == 9
+        self._turning = element**2 if self._keeps_lengths or self._beams else 0.0
         contact = model.contact
         contact.laws.friction = [0.0]
         # A rope that is far from its rest gains nothing from the exact tangent.
@@ -177,18 +178,16 @@ class Former:
         contact.pairing.stiffness = number["penalty"]
         contact.pairing.spacing = self._spacing * (1.0 if number["dense"] else COARSER)
         contact.pairing.crossing.by_point = bool(number["separated"])
-        assert isinstance(model.body, CableBody)
         if not number["rested"] and not self._keeps_lengths:
             q = spread_nodes(model.centre_lines(self.state.q))
-            model.body.set_reference(q.reshape(-1, 3))
+            q = with_directors(model.scene, q) if self._beams else q
+            model.set_reference(q)
             self.state = replace(self.state, q=q)
             contact.elements = engine.ContactElements()
             contact.pairing.stiffness *= number["stiffening"]
             number["stiffening"] = 1.0
         stretch, real = STRETCH * self.step.tension, model.scene.yarn.axial_stiffness
-        model.body.set_properties(
-            tension=self.step.tension, axial_stiffness=real if self._keeps_lengths else stretch
-        )
+        model.set_yarns(self.step.tension, real if self._keeps_lengths else stretch)
         contact.rigid = []
         if self.step.die_diameter is not None and not number["open"]:
             axis = np.array([0.0, 0.0, 1.0])

@@ -83,6 +83,21 @@ class RopeModel:
         """Unknowns of the reference state, shape (num_unknowns,)."""
         return self.body.rest.ravel().copy()
 
+    def set_reference(self, q: Floats) -> None:
+        """Makes a state the one that strains are measured from, shape (num_unknowns,)."""
+        rows = q.reshape(-1, self.body.block)
+        self.body.set_reference(rows)
+        if self.tilt:
+            self.tilt.set_reference(rows)
+
+    def set_yarns(self, tension: float, axial_stiffness: float) -> None:
+        """Tension in the reference state, and axial stiffness (N) of all yarns."""
+        if isinstance(self.body, CableBody):
+            self.body.set_properties(tension=tension, axial_stiffness=axial_stiffness)
+        else:
+            material = yarn_material(self.scene, axial_stiffness)
+            self.body.set_properties(tension=tension, material=material)
+
     def set_viscosity(self, positions: float, directors: float = 0.0) -> None:
         """Stabilisation: N/mm per node on positions, N mm per radian on directors, or tangents of cables."""
         self.proximal.viscosity[:] = np.where(self.directors, directors, positions)
@@ -163,24 +178,30 @@ def beam_body(
         yarn.torsion_constant or inertia_1 + inertia_2,
         yarn.section_area * (1.0 - SHARE if yarn.degree == 1 else 1.0),
     )
-    material = YarnMaterial(
-        yarn.axial_stiffness / yarn.section_area,
-        yarn.transverse_modulus,
-        yarn.shear_modulus,
-        yarn.poisson_axial,
-        yarn.poisson_transverse,
-    )
     return BeamBody(
         comm,
         [line[:, :3] for line in lines],
         section=section,
-        material=material,
+        material=yarn_material(scene),
         directors=[line[:, 3:].reshape(-1, 2, 3) for line in lines],
         degree=yarn.degree,
         bundle_factor=yarn.bundle_factor,
         torsion_factor=yarn.torsion_factor,
         natural_state="straight" if yarn.natural_state == "straight" else "as placed",
         tension=tension,
+    )
+
+
+def yarn_material(scene: Scene, axial_stiffness: float | None = None) -> YarnMaterial:
+    """Material of beams; with an axial stiffness (N) other than the yarn's there is no lateral contraction."""
+    yarn = scene.yarn
+    real = axial_stiffness is None or axial_stiffness == yarn.axial_stiffness
+    return YarnMaterial(
+        (axial_stiffness or yarn.axial_stiffness) / yarn.section_area,
+        yarn.transverse_modulus,
+        yarn.shear_modulus,
+        yarn.poisson_axial if real else 0.0,
+        yarn.poisson_transverse,
     )
 
 
@@ -199,19 +220,6 @@ def section_tilt(comm: MPI.Comm, scene: Scene, body: CurveBody) -> SectionTilt |
         return None
     shear_stiffness = SHARE * scene.yarn.shear_modulus * scene.yarn.section_area
     return SectionTilt(body.layout, body.rest, shear_stiffness, mine=comm.rank == 0)
-
-
-def periodic_directors(line: Floats) -> Floats:
-    """Directors that are alike where tangents are: the x axis made normal to the yarn, and the third.
-
-    Unlike rotation-minimising frames they agree at the two ends of a periodic yarn.
-    """
-    tangent = np.gradient(line, axis=0)
-    tangent[0] = tangent[-1] = (line[1] - line[0] + line[-1] - line[-2]) / 2
-    tangent /= np.linalg.norm(tangent, axis=1)[:, None]
-    first = np.array([1.0, 0.0, 0.0]) - tangent[:, :1] * tangent
-    first /= np.linalg.norm(first, axis=1)[:, None]
-    return np.stack([first, np.cross(tangent, first)], axis=1)
 
 
 def make_contact(

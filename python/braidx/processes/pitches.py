@@ -15,6 +15,7 @@ import numpy as np
 from ..contact.contact import Contact
 from ..geometry import goes_on, one_for_all
 from ..system.constraints import Floats
+from .directors import with_directors
 from .form import ONCE_MORE, in_die, spread_nodes
 from .model import RopeModel
 from .state import CELL, State
@@ -26,6 +27,7 @@ def next_stage(model: RopeModel, state: State) -> State | None:
     """What is formed next; None at the end."""
     if state.model == "cell" and in_die(model.scene, state):
         q = spread_nodes(model.centre_lines(state.q))
+        q = with_directors(model.scene, q) if model.body.block == 9 else q
         return replace(state, model="released", q=q, reference=q.copy())
     if state.model in CELL and not one_for_all(model.scene):
         return laid_end_to_end(model, state)
@@ -44,10 +46,10 @@ def laid_end_to_end(model: RopeModel, state: State) -> State:
     tension = state.rest_tension.reshape(-1, scene.yarn.elements_per_pitch)
 
     def repeated(q: Floats) -> Floats:
-        lines = q.reshape(len(tension), -1, 3)
-        shifts = np.arange(pitches)[:, None, None] * np.array(
-            [0.0, 0.0, np.ptp(lines[0, [0, -1], 2])]
-        )
+        lines = q.reshape(len(tension), -1, model.body.block)
+        period = np.zeros(model.body.block)
+        period[2] = np.ptp(lines[0, [0, -1], 2])
+        shifts = np.arange(pitches)[:, None, None] * period
         parts = [lines[:, :-1] + shift for shift in shifts]
         return np.concatenate([*parts, lines[:, -1:] + shifts[-1]], axis=1).ravel()
 

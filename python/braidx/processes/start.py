@@ -8,23 +8,15 @@ from typing import Any
 import numpy as np
 from mpi4py import MPI
 
-from ..geometry import (
-    Rope,
-    Rotations,
-    build_rope,
-    no_rotations,
-    one_for_all,
-    one_pitch,
-    rotation_about_z,
-    rotations,
-)
+from ..geometry import Rope, build_rope, one_for_all, one_pitch
 from ..scene import Form, Scene
 from ..system.constraints import Floats
+from .directors import formed_with_beams, symmetry_of, with_directors
 from .end_nodes import EndNodes
 from .ends import Ends
 from .form import keeps_lengths
 from .grouped_ends import GroupedEnds
-from .model import RopeModel, beam_body, cable_body, periodic_directors
+from .model import RopeModel, beam_body, cable_body
 from .state import CELL, State
 
 
@@ -32,7 +24,8 @@ def start_state(scene: Scene) -> State:
     """The start configuration: one pitch if it is to be formed, the whole rope as placed if not."""
     forms = isinstance(scene.steps[0], Form)
     rope = one_pitch(scene) if forms or one_for_all(scene) else build_rope(scene)
-    q = np.concatenate(rope.centre_lines).ravel()
+    q: Floats = np.concatenate(rope.centre_lines).ravel()
+    q = with_directors(scene, q) if formed_with_beams(scene) else q
     elements = (len(rope.centre_lines[0]) - 1) // scene.yarn.degree * rope.num_yarns
     state = State(
         q=q,
@@ -59,7 +52,11 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
     contacts = dict(state.contacts)
     if contacts:
         contacts["stiffness"] = scale * contacts["stiffness"]
-    q = _with_directors(scene, state.q) if scene.yarn.model == "beam" else state.q
+    q = state.q
+    if formed_with_beams(scene) and scene.yarn.model == "cable":
+        q = q.reshape(-1, 9)[:, :3].ravel()
+    elif not formed_with_beams(scene) and scene.yarn.model == "beam":
+        q = with_directors(scene, q)
     return replace(
         state,
         model=scene.yarn.model,
@@ -75,19 +72,25 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
 def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
     """The rope in the model that a state belongs to, with the state's contact history."""
     rope = one_pitch(scene) if state.model in CELL or one_for_all(scene) else build_rope(scene)
-    block = 9 if state.model == "beam" else 3
+    beams = formed_with_beams(scene) if state.forms else state.model == "beam"
+    block = 9 if beams else 3
     reference = np.split(state.reference.reshape(-1, block), rope.num_yarns)
     body: Any
     if state.forms:
         # Material coordinates are those of the start, wherever nodes were spread to.
-        body = cable_body(comm, scene, rope.centre_lines, 1.0, 0.0)
+        if beams:
+            start = with_directors(scene, np.concatenate(rope.centre_lines).ravel())
+            lines = np.split(start.reshape(-1, 9), rope.num_yarns)
+            body = beam_body(comm, scene, lines, 0.0)
+        else:
+            body = cable_body(comm, scene, rope.centre_lines, 1.0, 0.0)
     elif state.model == "cable":
         body = cable_body(comm, scene, reference, scene.yarn.axial_stiffness, state.rest_tension)
     else:
         body = beam_body(comm, scene, reference, state.rest_tension)
     model = RopeModel(comm, scene, rope, body, _ends(scene, rope, body, state))
     if state.forms:
-        body.set_reference(state.reference.reshape(-1, block))
+        model.set_reference(state.reference)
     else:
         density = state.rest_tension**2 / (2.0 * scene.yarn.axial_stiffness)
         model.preload_energy = float(density @ body.rest_lengths())
@@ -95,24 +98,6 @@ def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
     if state.contacts:
         model.contact.restore_arrays(state.contacts)
     return model
-
-
-def _with_directors(scene: Scene, positions: Floats) -> Floats:
-    """Positions and directors; those of an image are turned with it."""
-    symmetry = _symmetry(scene, build_rope(scene))
-    lines = np.split(positions.reshape(-1, 3), len(symmetry.leader))
-    angles = 2.0 * np.pi * symmetry.turns / symmetry.fold
-    parts = [
-        np.hstack(
-            [line, (periodic_directors(lines[leader]) @ rotation_about_z(angle)).reshape(-1, 6)]
-        )
-        for line, leader, angle in zip(lines, symmetry.leader, angles, strict=True)
-    ]
-    return np.concatenate(parts).ravel()
-
-
-def _symmetry(scene: Scene, rope: Rope) -> Rotations:
-    return rotations(rope) if scene.solver.symmetry else no_rotations(rope)
 
 
 def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends | GroupedEnds:
@@ -124,7 +109,7 @@ def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends | GroupedEn
     if scene.ends.groups and not state.forms:
         nodes = EndNodes(body.block, body.layout.curves, state.reference)
         return GroupedEnds(nodes, scene.ends, rope)
-    symmetry = _symmetry(scene, rope)
+    symmetry = symmetry_of(scene, rope)
     pulled = state.forms and keeps_lengths(scene, state)
     alike = replace(scene.ends, transverse="periodic", groups=())
     if state.model in CELL:

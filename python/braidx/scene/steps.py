@@ -26,6 +26,11 @@ class Form(Step):
     tension: float = option(
         100.0, unit="N", above=0.0, doc="Tension of each yarn, equal along it and in all yarns."
     )
+    model: str = option(
+        "cable",
+        choices=("cable", "beam"),
+        doc="What yarns are while the rope is formed. Beams, as in paper 1, take several times as long.",
+    )
     die_diameter: float | None = option(
         None,
         unit="mm",

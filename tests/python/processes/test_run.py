@@ -53,6 +53,21 @@ def test_two_processes_find_what_one_does(run, whole_run, tmp_path):
         assert two[name] == pytest.approx(one[name], rel=1e-6)
 
 
+@pytest.mark.parametrize("pulled", ["cable", "beam"])
+def test_beams_find_the_shape_that_cables_do(run, whole_run, tmp_path, pulled):
+    scene = tmp_path / "beams.toml"
+    formed = 'kind = "form"\nmodel = "beam"'
+    scene.write_text(SMALL.read_text("utf-8").replace('kind = "form"', formed), "utf-8")
+    beams = run(tmp_path / "out", "--set", f"yarn.model={pulled}", scene=scene)
+    assert beams.code == 0, beams.stderr
+    name = "outer_diameter_formed"
+    assert beams.values[name] == pytest.approx(whole_run.values[name], rel=0.005)
+    assert beams.values["wrong_side_crossings"] == 0
+    if pulled == "cable":
+        stiffness = "rope_axial_stiffness"
+        assert beams.values[stiffness] == pytest.approx(whole_run.values[stiffness], rel=0.01)
+
+
 def test_one_pitch_stands_for_all(run, tmp_path):
     """A rope of two pitches, solved as one pitch and as a whole."""
     two = ["--set", "rope.pitches=2"]
