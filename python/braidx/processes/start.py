@@ -16,8 +16,9 @@ from .end_nodes import EndNodes
 from .ends import Ends
 from .form import keeps_lengths
 from .grouped_ends import GroupedEnds
-from .model import RopeModel, beam_body, cable_body
+from .model import RopeModel
 from .state import CELL, State
+from .yarns import beam_body, cable_body
 
 
 def start_state(scene: Scene) -> State:

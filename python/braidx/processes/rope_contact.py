@@ -1,0 +1,117 @@
+"""Contact of all yarns of a rope: laws, spacing, prescribed crossings."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import braidx_engine as engine
+import numpy as np
+import numpy.typing as npt
+from mpi4py import MPI
+
+from ..bodies import CurveBody
+from ..contact.contact import Contact
+from ..contact.tubes import TubeLayout
+from ..geometry import Crossings, Rope
+from ..scene import Scene
+from ..system.constraints import Floats
+from .threads import num_threads
+
+WINDOW = 0.1  # of a pitch: how far to either side of its crossing a yarn is held to its side
+
+
+def make_contact(
+    comm: MPI.Comm,
+    scene: Scene,
+    rope: Rope,
+    body: CurveBody,
+    is_image: npt.NDArray[np.bool_],
+    beyond: int,
+) -> Contact:
+    """Contact of all yarns, with laws and spacing from the scene.
+
+    Args:
+        comm, scene, rope, body: As of the model.
+        is_image: Whether the equilibrium of a yarn repeats another's, shape (num_yarns,).
+        beyond: Elements that yarns go on for past their ends.
+    """
+    curves, options = body.layout.curves, scene.contact
+    num_elements = np.diff(body.layout.curve_elements)
+    lengths = np.add.reduceat(body.rest_lengths(), body.layout.curve_elements[:-1])
+    ones = np.ones(len(num_elements), dtype=np.int64)
+    layout = TubeLayout(
+        first_unknown=curves[:-1] * body.block,
+        num_elements=num_elements,
+        degree=ones * body.layout.degree,
+        block=ones * body.block,
+        radius=rope.radius,
+        element_length=lengths / num_elements,
+        body=0 * ones,
+        beyond=beyond,
+        is_image=is_image,
+    )
+    crossings = engine_crossings(rope, lengths, beyond / num_elements[0])
+    contact = Contact(
+        comm,
+        layout,
+        crossings,
+        smooth=True,
+        symmetric=scene.solver.tangent == "symmetric",
+        num_threads=num_threads(comm),
+    )
+    radius = rope.radius.min()
+    contact.pairing.spacing = (
+        options.station_spacing * float(layout.element_length.min()) / body.layout.degree
+    )
+    contact.pairing.stiffness = options.penalty or 0.01 * scene.yarn.axial_stiffness / radius**2
+    contact.pairing.search.margin = options.search_distance * radius
+    contact.pairing.crossing.by_point = True
+    contact.pairing.point_tolerance = options.penetration_tolerance * radius
+    contact.laws.regularisation = options.regularisation * radius
+    contact.laws.reversible_slip = options.reversible_slip * radius
+    contact.laws.friction = [options.friction]
+    return contact
+
+
+def elements_beyond(rope: Rope, body: CurveBody) -> int:
+    """Elements that yarns of a periodic sample go on for past its ends: whole windows of crossings, and one more."""
+    per_pitch = np.diff(body.layout.curve_elements).min() * rope.pitch / rope.length
+    return math.ceil(WINDOW * per_pitch) + 1
+
+
+def engine_crossings(rope: Rope, lengths: Floats, beyond: float) -> Any:
+    """Crossings of all yarns of crossing strands, with windows in rest arc length (mm).
+
+    A window reaches a tenth of a pitch to either side: crossings of one pair are half a pitch apart. Those whose
+    windows reach past an end come last, once more at the other end.
+
+    Args:
+        rope: The start configuration.
+        lengths: Of the yarns at rest, shape (num_yarns,), mm.
+        beyond: What yarns go on for past their ends, over their length.
+    """
+    yarns = [np.flatnonzero(rope.strand == s) for s in range(rope.num_strands)]
+    crossings: Crossings = rope.crossings
+    tubes, windows, order = [], [], []
+    for period in (0, 1, -1):
+        for a, b, z, sign in zip(
+            crossings.strand_a, crossings.strand_b, crossings.z, crossings.order, strict=True
+        ):
+            reach = np.array([-WINDOW, WINDOW]) * rope.pitch
+            window = np.clip((z + reach) / rope.length + period, -beyond, 1.0 + beyond)
+            if window[0] >= window[1]:
+                continue
+            for yarn_a in yarns[a]:
+                for yarn_b in yarns[b]:
+                    tubes.append((yarn_a, yarn_b))
+                    windows.append(
+                        np.concatenate([window * lengths[yarn_a], window * lengths[yarn_b]])
+                    )
+                    order.append(sign)
+    return engine.make_crossings(
+        tubes=np.array(tubes, np.int32).ravel(),
+        windows=np.array(windows, float).ravel(),
+        order=np.array(order, np.int32),
+        axis=np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
+    )
