@@ -18,6 +18,7 @@ from .state import State
 FULL = (
     1e-3  # strain of the yarns, in the mean, from which on the stabilisation is what the scene says
 )
+SLACK = 1e-6  # mean strain below which yarns are slack
 HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave
 LEAST = 0.01  # share of it that is left where yarns are slack
 BENT = 1e-3  # of a yarn radius: distance from rigid that is left to a group of ends
@@ -93,7 +94,8 @@ class Puller:
         """
         scene = self.model.scene
         solver, strain = scene.solver, self._mean_tension(self.state.q) / scene.yarn.axial_stiffness
-        factor = self.calming * 4.0**cuts * min(max(strain / FULL, LEAST), 1.0)
+        share = self.calming * min(max(strain / FULL, LEAST), 1.0)
+        factor = 4.0**cuts * max(share, LEAST)
         self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
 
     def force(self) -> float:
@@ -132,7 +134,8 @@ class Puller:
             model.loads.loads = ends.loads(placed, share)
         first = system.expand(system.free_values(placed))
         self._expected = self._mean_tension(first)
-        stiffening = max(1.0, self._expected / self._most) if self._most > 0 else 1.0
+        slack = self._most < SLACK * model.scene.yarn.axial_stiffness
+        stiffening = 1.0 if slack else max(1.0, self._expected / self._most)
         energy = model.internal_energy(first)
         options = replace(self._options, stabilisation=HELD * energy if self.releases else None)
         return model.incrementer.solve(self.state.q, first, options, stiffening)
@@ -157,6 +160,9 @@ class Puller:
     def _take(self, increment: Increment, strain: float, share: float) -> None:
         self.strain, self.share = strain, share
         self._most = max(self._most, self._expected)
+        if self._most < SLACK * self.model.scene.yarn.axial_stiffness:
+            # Nothing was expected of slack yarns: penalties became what was found to do.
+            self._most = max(self._most, self._mean_tension(increment.q))
         self.state = replace(
             self.state,
             q=increment.q,
