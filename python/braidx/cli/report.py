@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 from rich.table import Table
 
-from braidx.geometry import Rope
+from braidx.geometry import Rope, no_rotations, one_for_all, rotations
 from braidx.geometry.closed_forms import cover_factor, helix_angle
 from braidx.geometry.strand import strand_section, yarn_pitch
-from braidx.scene import Scene
+from braidx.scene import Form, Scene
 
 BLOCK = {"cable": 3, "beam": 9}  # unknowns per node
 
@@ -34,6 +35,7 @@ def scene_table(scene: Scene, rope: Rope) -> Table:
         "elements": f"{rope.num_yarns * per_yarn} of degree {scene.yarn.degree}, "
         f"{rope.length / per_yarn:.3g} mm long",
         "unknowns": ", ".join(f"{unknowns(rope, model)} as {model}s" for model in _models(scene)),
+        "solved for": _solved_text(scene, rope),
         "steps": ", ".join(step.kind for step in scene.steps) or "none",
         "expected": ", ".join(scene.expected) or "none",
     }
@@ -44,8 +46,19 @@ def scene_table(scene: Scene, rope: Rope) -> Table:
 
 
 def _models(scene: Scene) -> list[str]:
-    forming = ["cable" for step in scene.steps if step.kind == "form"]
+    forming = [step.model for step in scene.steps if isinstance(step, Form)]
     return list(dict.fromkeys([*forming, scene.yarn.model]))
+
+
+def _solved_text(scene: Scene, rope: Rope) -> str:
+    """The part of the rope that stands for all of it, once it is kept symmetric."""
+    alike = (
+        rotations(rope) if scene.solver.symmetry and not scene.ends.groups else no_rotations(rope)
+    )
+    leaders = len(np.unique(alike.leader))
+    alone = one_for_all(scene) or scene.rope.pitches == 1
+    pitches = "one pitch" if alone else f"{scene.rope.pitches} pitches"
+    return f"{pitches}, {leaders} of {rope.num_yarns} yarns"
 
 
 def _strand_text(scene: Scene) -> str:

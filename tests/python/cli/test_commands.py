@@ -134,7 +134,13 @@ def test_demo_runs_the_rope_of_the_paper(invoke, processes):
 
 def test_check_prints_what_would_be_computed(invoke):
     text = invoke("check", str(DEMOS / "tensile_test.toml"), "--set", "yarn.model=beam").stdout
-    for wanted in ("84 (beam)", "12 of 1 + 6 yarns", "144", "20412 as cables, 61236 as beams"):
+    for wanted in (
+        "84 (beam)",
+        "12 of 1 + 6 yarns",
+        "144",
+        "20412 as cables, 61236 as beams",
+        "one pitch, 28 of 84 yarns",
+    ):
         assert wanted in text
 
 
