@@ -38,14 +38,21 @@ class Attempt:
 
 
 class Puller:
-    """Goes from one rope strain to the next, cutting increments that fail."""
+    """Goes from one rope strain to the next, cutting increments that fail.
+
+    Attributes:
+        strain: Rope strain of the state.
+        share: What is reached of what groups of ends ask for, 0 to 1.
+        calming: Factor on the stabilisation that the scene asks for.
+        releases: Whether the stabilisation lets go of states found.
+    """
 
     def __init__(self, model: RopeModel, state: State) -> None:
         self.model, self.state = model, state
         self.strain = state.progress.get("strain", 0.0)
-        self.calming = state.progress.get("calming", 1.0)  # factor on the stabilisation
-        self.releases = True  # whether the stabilisation is to let go of states found
-        self.share = state.progress.get("share", 0.0)  # reached of what groups of ends ask for
+        self.share = state.progress.get("share", 0.0)
+        self.calming = state.progress.get("calming", 1.0)
+        self.releases = True
         # Mean tension of the yarns that penalties are made for: they grow with what is expected of increments.
         self._most = state.progress.get("tension", 0.0) or self._mean_tension(state.q)
         self._expected = self._most
