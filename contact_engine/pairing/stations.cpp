@@ -42,7 +42,9 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
         return arc >= tube.low() && arc <= tube.high();
     };
     std::optional<std::pair<double, double>> best;
-    double best_distance = std::numeric_limits<double>::infinity(), moved = 0;
+    double best_distance = std::numeric_limits<double>::infinity();
+    double net_a = 0, net_b = 0,
+           path = 0; // of the last steps: where they lead, and how far they go
     const double limit = std::min(a.element_length, b.element_length);
     for (int iteration = 0; iteration < 30; ++iteration) {
         if (!inside(a, arc_a) || !inside(b, arc_b))
@@ -75,15 +77,20 @@ std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double 
         const double step_b = std::clamp((da * ab - db * haa) / det, -limit, limit);
         arc_a += step_a;
         arc_b += step_b;
-        moved = std::abs(step_a) + std::abs(step_b);
+        const double moved = std::abs(step_a) + std::abs(step_b);
+        if (iteration >= 20) {
+            net_a += step_a;
+            net_b += step_b;
+            path += moved;
+        }
         if (moved < 1e-10 * limit)
             return inside(a, arc_a) && inside(b, arc_b) ? std::optional(std::pair(arc_a, arc_b))
                                                         : std::nullopt;
     }
-    // Kinks keep the steps jumping; where curves bend more than they cross there is no closest
-    // point.
-    const bool kinks = a.is_polygon() || b.is_polygon() || !metric.isIdentity();
-    return kinks || moved < 1e-4 * limit ? best : std::nullopt;
+    // Kinks of curves and of their curvature keep the steps jumping about the closest point; where
+    // curves bend more than they cross there is none, and steps lead on along them.
+    const bool leads_on = std::abs(net_a) + std::abs(net_b) > 0.5 * path && path > 1e-4 * limit;
+    return leads_on && metric.isIdentity() ? std::nullopt : best;
 }
 
 double TubePair::sharpness(double arc_a, double arc_b) const {
@@ -120,8 +127,12 @@ double cell_length(const Tube& a, const Tube& b, double spacing) {
 bool is_kept(const Tube& a, const Tube& b, const Station& s) {
     if (!a.is_periodic() || !b.is_periodic())
         return true;
-    const double mean = 0.5 * (s.s_a * a.element_length + s.s_b * b.element_length);
-    return mean >= 0 && mean < 0.5 * (a.length() + b.length());
+    // Not at the first nodes: by symmetry contacts may be there, and a period on, but for
+    // round-off.
+    constexpr double cut = 0.31;
+    const double element = 0.5 * (a.element_length + b.element_length);
+    const double mean = 0.5 * (s.s_a * a.element_length + s.s_b * b.element_length) + cut * element;
+    return mean >= 0 && mean < element * a.num_elements;
 }
 
 Vec3 TubePair::across(const Station& station) const {

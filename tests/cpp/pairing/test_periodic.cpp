@@ -1,6 +1,7 @@
 #include "pairing/pairing.h"
 #include "support/rods.h"
 
+#include <algorithm>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -69,8 +70,14 @@ TEST_CASE("yarns in contact all along a period have contact elements for just on
                     make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, options);
                 const double weight = total_weight(elements);
                 CHECK(weight == Catch::Approx(rods.tubes[0].length()).epsilon(1e-9));
-                for (const auto& e : elements)
-                    CHECK((0.5 * (e.s_a + e.s_b) >= 0 && 0.5 * (e.s_a + e.s_b) < num_elements));
+                double first = 1e9, last = -1e9;
+                for (const auto& e : elements) {
+                    first = std::min(first, 0.5 * (e.s_a + e.s_b));
+                    last = std::max(last, 0.5 * (e.s_a + e.s_b));
+                }
+                CHECK(last - first < num_elements);
+                if (kind.degree == 1 && !kind.smooth)
+                    continue; // where polygons have their points depends on the phase
                 expected = k == 0 ? static_cast<double>(elements.size()) : expected;
                 CHECK(static_cast<double>(elements.size()) == expected);
             }
@@ -100,10 +107,10 @@ TEST_CASE("a point station that passes the end of a period keeps its memory", "[
     };
     for (const bool kept : {false, true})
         for (const double sign : {1.0, -1.0}) {
-            auto before = point_at(0.1 * sign, {}, false);
+            auto before = point_at(-0.31 + 0.1 * sign, {}, false);
             REQUIRE(before.size() == 1);
             before[0].work = 3.5;
-            const auto after = point_at(-0.1 * sign, before, kept);
+            const auto after = point_at(-0.31 - 0.1 * sign, before, kept);
             REQUIRE(after.size() == 1);
             CHECK(after[0].work == 3.5);
             CHECK(std::abs(after[0].s_a - before[0].s_a) > num_elements / 2);

@@ -66,7 +66,7 @@ def test_untwisted_yarns_of_a_strand_are_straight_rods():
 
 
 def test_yarns_of_opposite_lay_lie_almost_along_the_axis_outside():
-    rope = build_rope(load_scene(PAPER, ['strand.yarn_pitch="pitch/4"', "braid.helix_radius=7.0"]))
+    rope = build_rope(load_scene(PAPER, ['strand.yarn_pitch="pitch/4"', "braid.helix_radius=6.6"]))
     for yarn in (1, 43):
         line = rope.centre_lines[yarn]
         outside = 5 + np.argmax(np.hypot(line[5:40, 0], line[5:40, 1]))
