@@ -89,7 +89,7 @@ def test_a_diverged_run_keeps_what_it_had(run, tmp_path):
     scene = tmp_path / "pushed.toml"
     pushed = "to_strain = 0.4\nstrain_increment = 0.09"
     scene.write_text(SMALL.read_text("utf-8").replace("to_force = 5.0", pushed), "utf-8")
-    hasty = ["yarn.model=beam", "solver.max_cuts=0", "solver.max_iterations=1"]
+    hasty = ["yarn.model=beam", "solver.max_cuts=0", "solver.max_iterations=2"]
     options = [word for setting in hasty for word in ("--set", setting)]
     failed = run(tmp_path / "failed", *options, scene=scene)
     assert failed.code == 3
