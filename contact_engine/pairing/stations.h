@@ -13,8 +13,8 @@ namespace braidx {
 /// of the tubes: they are fixed in the material, the same from one update to the next, and the same
 /// when a and b are swapped. Of the stations of periodic tubes, each of which occurs once more a
 /// period away, those are kept whose mean distance from a place near the first nodes is within one
-/// period; their cells divide it. A point station stands where the distance is smallest, for curves that
-/// cross.
+/// period; their cells divide it. A point station stands where the distance is smallest, for curves
+/// that cross.
 struct Station {
     double s_a, s_b;    ///< material coordinates, in elements
     double weight;      ///< length of the contact line it stands for, mm
