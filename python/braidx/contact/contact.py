@@ -99,14 +99,7 @@ class Contact:
             Of all processes: work dissipated in the increment (mJ), deepest penetration (mm), number of
             contact elements.
         """
-        work, penetration = engine.commit(
-            self.tubes,
-            self.elements,
-            self._seen(q),
-            self._seen(self.start),
-            self.laws,
-            self.num_threads,
-        )
+        work, penetration = engine.commit(*self._at(q), self.num_threads)
         self.start = (
             q  # the slip of the increment is remembered now: forces at q stay what they are
         )
@@ -142,14 +135,7 @@ class Contact:
 
     def rigid_share(self, q: Floats) -> float:
         """Of all normal forces of all processes, the share that acts on rigid surfaces."""
-        sums = engine.sum_normal_forces(
-            self.tubes,
-            self.elements,
-            self._seen(q),
-            self._seen(self.start),
-            self.laws,
-            self.num_threads,
-        )
+        sums = engine.sum_normal_forces(*self._at(q), self.num_threads)
         rigid, everywhere = self.comm.allreduce(np.array(sums))
         return float(rigid / max(everywhere, 1e-300))
 
@@ -183,14 +169,7 @@ class Contact:
 
     def results(self, q: Floats) -> dict[str, np.ndarray]:
         """Results per contact element of this process: gap, normal_force, friction_force, position, normal..."""
-        forces = engine.contact_results(
-            self.tubes,
-            self.elements,
-            self._seen(q),
-            self._seen(self.start),
-            self.laws,
-            self.num_threads,
-        )
+        forces = engine.contact_results(*self._at(q), self.num_threads)
         return {**self.elements.arrays(), **forces}
 
     def crossing_heights(self, q: Floats) -> Floats:
@@ -240,6 +219,10 @@ class Contact:
     def _seen(self, q: Floats) -> Floats:
         """All unknowns in the numbers of contact."""
         return self.beyond.see(q) if self.beyond else q
+
+    def _at(self, q: Floats) -> tuple[Any, Any, Floats, Floats, Any]:
+        """What the engine asks for to tell forces at q."""
+        return self.tubes, self.elements, self._seen(q), self._seen(self.start), self.laws
 
     def _lay_out(self) -> None:
         """Finds the contact elements' places in the tangent, in a new pattern where the last one lacks some."""

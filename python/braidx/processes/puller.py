@@ -143,8 +143,8 @@ class Puller:
         self._expected = self._mean_tension(first)
         slack = self._most < SLACK * model.scene.yarn.axial_stiffness
         stiffening = 1.0 if slack else max(1.0, self._expected / self._most)
-        energy = model.internal_energy(first)
-        options = replace(self._options, stabilisation=HELD * energy if self.releases else None)
+        most = HELD * model.internal_energy(first) if self.releases else None
+        options = replace(self._options, stabilisation=most)
         return model.incrementer.solve(self.state.q, first, options, stiffening)
 
     def _is_rigid(self, q: Floats) -> bool:
