@@ -25,21 +25,29 @@ class SectionTilt:
     Args:
         layout: Curves of degree 1.
         rest: Reference state, shape (num_nodes, 9).
-        shear_stiffness: G A of each yarn's share, N.
+        shear_stiffness: G A of each yarn's share, N; one value, or one per node.
         mine: Whether this process gives them.
+        first_unknown: Number of the first unknown of the first node.
     """
 
     pattern_version = 1
     spread = None
 
     def __init__(
-        self, layout: CurveLayout, rest: FloatArray, shear_stiffness: float, mine: bool = True
+        self,
+        layout: CurveLayout,
+        rest: FloatArray,
+        shear_stiffness: float | FloatArray,
+        mine: bool = True,
+        first_unknown: int = 0,
     ) -> None:
         ends = np.concatenate([layout.curves[:-1], layout.curves[1:] - 1])
         node = np.setdiff1d(np.arange(layout.num_nodes), ends) if mine else np.empty(0, np.int64)
-        self._node, self._shear_stiffness = node, shear_stiffness
+        self._node, self._first_unknown = node, first_unknown
+        self._shear_stiffness = np.broadcast_to(shear_stiffness, layout.num_nodes)[node]
         vectors = [9 * node + 3, 9 * node + 6, 9 * (node - 1), 9 * (node + 1)]
-        self._unknowns = (np.stack(vectors, axis=1)[:, :, None] + np.arange(3)).reshape(-1, 12)
+        unknowns = (np.stack(vectors, axis=1)[:, :, None] + np.arange(3)).reshape(-1, 12)
+        self._unknowns = unknowns + first_unknown
         self.set_reference(rest)
 
     def set_reference(self, rest: FloatArray) -> None:
@@ -51,12 +59,15 @@ class SectionTilt:
         self._slope = 1.0 / span
         self._stiffness = self._shear_stiffness * span / 2.0
         self._rest: FloatArray = np.zeros((len(node), 2))
-        self.set_state(rest.ravel())
+        self._take(rest.ravel()[self._unknowns - self._first_unknown])
         self._rest = self._tilt()
 
     def set_state(self, q: FloatArray) -> None:
         """See Term."""
-        vectors = q[self._unknowns].reshape(-1, 4, 3)
+        self._take(q[self._unknowns])
+
+    def _take(self, unknowns: FloatArray) -> None:
+        vectors = unknowns.reshape(-1, 4, 3)
         self._directors = vectors[:, :2]
         self._tangent = (vectors[:, 3] - vectors[:, 2]) * self._slope[:, None]
 

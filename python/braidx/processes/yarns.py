@@ -44,20 +44,10 @@ def beam_body(
         tension: Axial force as placed, N.
     """
     yarn = scene.yarn
-    circle = BeamSection.round(yarn.radius)
-    inertia_1 = yarn.inertia_1 or circle.inertia_1
-    inertia_2 = yarn.inertia_2 or circle.inertia_2
-    section = BeamSection(
-        yarn.section_area,
-        inertia_1,
-        inertia_2,
-        yarn.torsion_constant or inertia_1 + inertia_2,
-        yarn.section_area * (1.0 - SHARE if yarn.degree == 1 else 1.0),
-    )
     return BeamBody(
         comm,
         [line[:, :3] for line in lines],
-        section=section,
+        section=yarn_section(scene),
         material=yarn_material(scene),
         directors=[line[:, 3:].reshape(-1, 2, 3) for line in lines],
         degree=yarn.degree,
@@ -65,6 +55,21 @@ def beam_body(
         torsion_factor=yarn.torsion_factor,
         natural_state="straight" if yarn.natural_state == "straight" else "as placed",
         tension=tension,
+    )
+
+
+def yarn_section(scene: Scene) -> BeamSection:
+    """Section of beams; of degree 1, a share of the shear is taken at the nodes (bodies/tilt.py)."""
+    yarn = scene.yarn
+    circle = BeamSection.round(yarn.radius)
+    inertia_1 = yarn.inertia_1 or circle.inertia_1
+    inertia_2 = yarn.inertia_2 or circle.inertia_2
+    return BeamSection(
+        yarn.section_area,
+        inertia_1,
+        inertia_2,
+        yarn.torsion_constant or inertia_1 + inertia_2,
+        yarn.section_area * (1.0 - SHARE if yarn.degree == 1 else 1.0),
     )
 
 
