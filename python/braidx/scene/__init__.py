@@ -1,9 +1,12 @@
 """Scenes: a rope, its model and its programme, as TOML files and as frozen dataclasses."""
 
+from braidx.scene.bending import Bend, BendCycles, Straighten
 from braidx.scene.build import scene_from_dict
 from braidx.scene.compare import difference
+from braidx.scene.core import Core
 from braidx.scene.ends import EndConditions, EndGroup
 from braidx.scene.errors import SceneError
+from braidx.scene.heat import Heat
 from braidx.scene.load import load_scene
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
@@ -14,17 +17,23 @@ from braidx.scene.numerics import (
 )
 from braidx.scene.recipe import BraidRecipe, RopeRecipe, StrandRecipe
 from braidx.scene.scene import Scene
-from braidx.scene.steps import Cycle, Form, Hold, Pull, Settle, Step
+from braidx.scene.sheave import Sheave
+from braidx.scene.step import Step
+from braidx.scene.steps import Cycle, Form, Hold, Pull, Settle
 from braidx.scene.write import to_toml
 
 __all__ = [
+    "Bend",
+    "BendCycles",
     "BraidRecipe",
     "ContactOptions",
+    "Core",
     "Cycle",
     "EndConditions",
     "EndGroup",
     "Expected",
     "Form",
+    "Heat",
     "Hold",
     "Material",
     "OutputOptions",
@@ -33,8 +42,10 @@ __all__ = [
     "Scene",
     "SceneError",
     "Settle",
+    "Sheave",
     "SolverOptions",
     "Step",
+    "Straighten",
     "StrandRecipe",
     "YarnModel",
     "difference",

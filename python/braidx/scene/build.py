@@ -5,9 +5,11 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, TypeVar
 
+from braidx.scene.core import Core
 from braidx.scene.ends import EndConditions, EndGroup
 from braidx.scene.errors import SceneError, nearest
 from braidx.scene.fields import Table, in_unit, spec_of
+from braidx.scene.heat import Heat
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
     ContactOptions,
@@ -17,7 +19,9 @@ from braidx.scene.numerics import (
 )
 from braidx.scene.recipe import BraidRecipe, RopeRecipe, StrandRecipe
 from braidx.scene.scene import Scene
-from braidx.scene.steps import STEPS, Step
+from braidx.scene.sheave import Sheave
+from braidx.scene.step import Step
+from braidx.scene.steps import STEPS
 
 T = TypeVar("T", bound=Table)
 
@@ -27,11 +31,14 @@ TABLES: dict[str, type[Table]] = {
         RopeRecipe,
         BraidRecipe,
         StrandRecipe,
+        Core,
+        Sheave,
         YarnModel,
         ContactOptions,
         SolverOptions,
         EndConditions,
         OutputOptions,
+        Heat,
     )
 }
 NAMED: dict[str, type[Table]] = {"material": Material, "expected": Expected}

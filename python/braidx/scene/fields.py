@@ -59,6 +59,8 @@ class Table:
     def __post_init__(self) -> None:
         hints = type_hints(type(self))
         for field in dataclasses.fields(self):
+            if getattr(self, field.name) is None and field.default is None:
+                continue  # left out: the scene, or what uses it, decides
             key = f"{self.table}.{field.name}" if self.table else field.name
             value = convert(getattr(self, field.name), hints[field.name], spec_of(field), key)
             object.__setattr__(self, field.name, value)

@@ -27,9 +27,17 @@ def load_scene(path: str | Path, overrides: Iterable[str] = ()) -> Scene:
         data = _read(path)
         for override in overrides:
             apply_override(data, override)
+        _place_mesh(data, path.parent)
         return scene_from_dict(data, name=path.stem)
     except SceneError as error:
         raise error.within(str(path)) from None
+
+
+def _place_mesh(data: dict[str, Any], folder: Path) -> None:
+    """Make the path of a mesh one that holds in any folder."""
+    core = data.get("core")
+    if isinstance(core, dict) and isinstance(core.get("mesh"), str) and core["mesh"]:
+        core["mesh"] = str((folder / core["mesh"]).resolve())
 
 
 def _read(path: Path) -> dict[str, Any]:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from braidx.scene.errors import SceneError
+from braidx.scene.errors import SceneError, nearest
 from braidx.scene.fields import Table, option
+
+MODELS = ("cable", "beam", "solid", "mixed", "auto")
 
 
 @dataclass(frozen=True)
@@ -34,16 +36,18 @@ class Material(Table):
 
 @dataclass(frozen=True)
 class YarnModel(Table):
-    """One yarn: a bundle of filaments, as a cable or as a beam."""
+    """One yarn: a bundle of filaments, as a cable, as a beam or as a solid."""
 
     table: ClassVar[str] = "yarn"
 
     radius: float = option(unit="mm", above=0.0, doc="Radius of the yarn's round section.")
     model: str = option(
         "cable",
-        choices=("cable", "beam"),
+        choices=MODELS,
         doc="Cable: tension only, 3 unknowns per node. Beam: also bending, torsion and deformation "
-        "of the section, 9 unknowns per node (paper 1, eq. 1).",
+        "of the section, 9 unknowns per node (paper 1, eq. 1). Ropes that are bent also have solid: "
+        "hexahedra (paper 2); mixed: hexahedra in solid_stretch and outer_model beyond; auto: the "
+        "simplest of these that each yarn's place asks for.",
     )
     axial_stiffness: float = option(
         162e3, unit="N", above=0.0, doc="Axial stiffness EA of the yarn."
@@ -95,9 +99,32 @@ class YarnModel(Table):
     degree: int = option(1, choices=(1, 2), doc="Degree of the finite elements.")
     elements_per_pitch: int = option(40, minimum=4, doc="Finite elements of a yarn per rope.pitch.")
     material: str = option("", doc="Name of a [material.NAME] table whose values are taken over.")
+    seeds: int = option(
+        12, minimum=4, doc="Edges of elements round a solid yarn, a multiple of 4 (12 in paper 2)."
+    )
+    solid_degree: int = option(1, choices=(1, 2), doc="Degree of the elements of a solid yarn.")
+    solid_elements_per_pitch: int | None = option(
+        None,
+        minimum=4,
+        doc="Elements of a solid yarn along rope.pitch; left out: elements_per_pitch.",
+    )
+    solid_stretch: float | None = option(
+        None,
+        unit="mm",
+        above=0.0,
+        doc="Length along the axis, half on either side of the sample's middle, in which a mixed yarn is solid.",
+    )
+    outer_model: str = option(
+        "beam", choices=("beam", "cable"), doc="Model of a mixed yarn beyond solid_stretch."
+    )
+    models: dict[str, str] = option(
+        {},
+        doc='Yarns with a model of their own, by number from 0 in the order of the recipe: { 3 = "solid" }.',
+    )
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        self._check_solid()
         axial_modulus = self.axial_stiffness / self.section_area
         ratio = self.transverse_modulus / axial_modulus
         if 1.0 - self.poisson_transverse - 2.0 * self.poisson_axial**2 * ratio <= 0.0:
@@ -108,6 +135,18 @@ class YarnModel(Table):
                 "modulus.",
                 self.poisson_axial,
             )
+
+    def _check_solid(self) -> None:
+        if self.seeds % 4:
+            near = max(4, 4 * round(self.seeds / 4))
+            raise SceneError("yarn.seeds", f"not a multiple of 4, use {near}.", self.seeds)
+        for number, model in self.models.items():
+            if not (number.isascii() and number.isdecimal()):
+                cure = 'not the number of a yarn; write whole numbers from 0, such as 3 = "beam".'
+                raise SceneError(f"yarn.models.{number}", cure, model)
+            if model not in MODELS:
+                cure = f"choose {' or '.join(MODELS)}; {nearest(model, MODELS)}"
+                raise SceneError(f"yarn.models.{number}", cure, model)
 
     @property
     def section_area(self) -> float:

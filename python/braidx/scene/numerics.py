@@ -15,6 +15,13 @@ class ContactOptions(Table):
     table: ClassVar[str] = "contact"
 
     friction: float = option(0.1, minimum=0.0, maximum=2.0, doc="Coefficient of friction.")
+    friction_between: dict[str, float] = option(
+        {},
+        keys=("yarn-yarn", "yarn-core", "yarn-sheave"),
+        minimum=0.0,
+        maximum=2.0,
+        doc="Coefficients of friction of pairs of their own; of a pair left out: friction.",
+    )
     penetration_tolerance: float = option(
         0.015,
         unit="yarn radius",
@@ -55,6 +62,10 @@ class ContactOptions(Table):
         above=0.0,
         doc="Gap up to which two yarns are paired (threshold of the proximity zones).",
     )
+
+    def friction_of(self, pair: str) -> float:
+        """Coefficient of friction of "yarn-yarn", "yarn-core" or "yarn-sheave"."""
+        return self.friction_between.get(pair, self.friction)
 
 
 @dataclass(frozen=True)

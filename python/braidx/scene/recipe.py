@@ -17,8 +17,13 @@ class RopeRecipe(Table):
 
     table: ClassVar[str] = "rope"
 
+    # left out only until the scene is made, which takes it from the angle of the braid
     pitch: float = option(
-        unit="mm", above=0.0, doc="Length along the axis in which a strand turns once around it."
+        None,
+        unit="mm",
+        above=0.0,
+        doc="Length along the axis in which a strand turns once around it; left out: that of braid.angle or "
+        "braid.angle_from_axis.",
     )
     pitches: int = option(2, minimum=1, doc="Length of the sample in pitches.")
     type: str = option(
@@ -54,9 +59,37 @@ class BraidRecipe(Table):
         'j of layer 1, repeated in both directions; "k-over-l-under" has a shift of 1, so that '
         "its ribs run along the axis.",
     )
+    angle: float | None = option(
+        None,
+        unit="degrees",
+        above=0.0,
+        below=90.0,
+        doc="Braiding angle measured from the plane across the axis, as paper 2 does: the pitch is then 2 pi "
+        "helix_radius tan(angle). Left out: rope.pitch or angle_from_axis is given.",
+    )
+    angle_from_axis: float | None = option(
+        None,
+        unit="degrees",
+        above=0.0,
+        below=90.0,
+        doc="The same angle measured from the axis, 90 degrees less angle.",
+    )
+    undulation: float = option(
+        0.0,
+        unit="mm",
+        minimum=0.0,
+        doc="Amplitude of the strands' way out and in: at the start a strand lies so far outside helix_radius where "
+        "it passes over another, and so far inside where it passes under; a sine for 1-over-1-under (paper 2).",
+    )
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        if self.angle is not None and self.angle_from_axis is not None:
+            cure = f"braid.angle = {self.angle:g} says it already; leave one of the two out."
+            raise SceneError("braid.angle_from_axis", cure, self.angle_from_axis)
+        if self.undulation >= self.helix_radius:
+            cure = f"must be below braid.helix_radius = {self.helix_radius:g} mm."
+            raise SceneError("braid.undulation", cure, self.undulation)
         if len(self.strands_per_direction) != 2:
             raise SceneError(
                 "braid.strands_per_direction",

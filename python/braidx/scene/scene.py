@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+from braidx.scene.core import Core
 from braidx.scene.ends import EndConditions
 from braidx.scene.errors import SceneError
+from braidx.scene.heat import Heat
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
     ContactOptions,
@@ -13,13 +15,16 @@ from braidx.scene.numerics import (
     OutputOptions,
     SolverOptions,
 )
+from braidx.scene.pitch import resolved_pitch
 from braidx.scene.recipe import BraidRecipe, RopeRecipe, StrandRecipe
-from braidx.scene.steps import Step
+from braidx.scene.rules import check_bending
+from braidx.scene.sheave import Sheave
+from braidx.scene.step import Step
 
 
 @dataclass(frozen=True)
 class Scene:
-    """A rope, its model and its programme.
+    """A rope, its model and its programme. Of a scene, rope.pitch is known, and agrees with the braid's angle.
 
     Raises:
         SceneError: If the rope's type and its tables do not go together.
@@ -29,15 +34,24 @@ class Scene:
     yarn: YarnModel
     strand: StrandRecipe = field(default_factory=StrandRecipe)
     braid: BraidRecipe | None = None
+    core: Core | None = None
+    sheave: Sheave | None = None
     contact: ContactOptions = field(default_factory=ContactOptions)
     solver: SolverOptions = field(default_factory=SolverOptions)
     ends: EndConditions = field(default_factory=EndConditions)
     output: OutputOptions = field(default_factory=OutputOptions)
     material: dict[str, Material] = field(default_factory=dict)
+    heat: Heat | None = None
     steps: tuple[Step, ...] = ()
     expected: dict[str, Expected] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        pitch = resolved_pitch(self.rope, self.braid)
+        self._check_type()
+        object.__setattr__(self, "rope", replace(self.rope, pitch=pitch))
+        check_bending(self)
+
+    def _check_type(self) -> None:
         if self.rope.type == "braid" and self.braid is None:
             raise SceneError(
                 "braid", 'table missing: a braid needs it; rope.type = "strand" does without.'
@@ -58,3 +72,8 @@ class Scene:
     def length(self) -> float:
         """Length of the sample, mm."""
         return self.rope.pitch * self.rope.pitches
+
+    @property
+    def crown(self) -> float:
+        """Where the rope is bent, z of the middle of the sample, mm."""
+        return self.length / 2.0

@@ -5,15 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from braidx.scene.bending import Bend, BendCycles, Straighten
 from braidx.scene.errors import SceneError
-from braidx.scene.fields import Table, option
-
-
-@dataclass(frozen=True)
-class Step(Table):
-    """What all steps have in common."""
-
-    kind: ClassVar[str] = ""
+from braidx.scene.fields import option
+from braidx.scene.step import Step
 
 
 @dataclass(frozen=True)
@@ -141,4 +136,6 @@ class Cycle(Step):
             )
 
 
-STEPS: dict[str, type[Step]] = {step.kind: step for step in (Form, Settle, Pull, Hold, Cycle)}
+STEPS: dict[str, type[Step]] = {
+    step.kind: step for step in (Form, Settle, Pull, Hold, Cycle, Bend, Straighten, BendCycles)
+}

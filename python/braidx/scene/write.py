@@ -7,7 +7,7 @@ import json
 from typing import Any
 
 from braidx.scene.scene import Scene
-from braidx.scene.steps import Step
+from braidx.scene.step import Step
 
 
 def to_dict(scene: Scene) -> dict[str, Any]:

@@ -1,0 +1,94 @@
+"""Rules between the tables and steps of a scene in which a rope is bent over a sheave."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from braidx.scene.bending import Bend, BendCycles, Straighten
+from braidx.scene.errors import SceneError
+from braidx.scene.steps import Cycle, Hold, Pull, Settle
+
+if TYPE_CHECKING:
+    from braidx.scene.scene import Scene
+
+STRAIGHT = (Settle, Pull, Hold, Cycle)  # steps that know the yarns of a straight rope only
+SOLID = ("solid", "mixed", "auto")
+
+
+def check_bending(scene: Scene) -> None:
+    """Raises SceneError, with the cure, where tables and steps do not go together."""
+    _check_braid(scene)
+    _check_steps(scene)
+    _check_models(scene)
+    _check_mesh(scene)
+
+
+def _check_braid(scene: Scene) -> None:
+    for name, table in (("sheave", scene.sheave), ("core", scene.core)):
+        if table is not None and scene.braid is None:
+            cure = f"a rope without a braid has no {name}; add [braid] or remove [{name}]."
+            raise SceneError(name, cure)
+
+
+def _check_steps(scene: Scene) -> None:
+    bent = False
+    for i, step in enumerate(scene.steps):
+        if isinstance(step, Bend):
+            _check_bend(scene, step, i)
+            bent = True
+        elif isinstance(step, (Straighten, BendCycles)) and not bent:
+            cure = 'the rope is not bent yet; put a step kind = "bend" before it.'
+            raise SceneError(f"steps[{i}].kind", cure, step.kind)
+        elif isinstance(step, STRAIGHT):
+            _check_straight(scene, step.kind, i)
+
+
+def _check_bend(scene: Scene, step: Bend, i: int) -> None:
+    if scene.sheave is None:
+        cure = "a rope is bent over a sheave; add a table [sheave] with its diameter."
+        raise SceneError(f"steps[{i}].kind", cure, step.kind)
+    if step.travel >= scene.length / 2.0:
+        cure = (
+            f"the ends cannot come so far, must be below half of the sample's {scene.length:.4g} mm; use a shorter "
+            "travel or more rope.pitches."
+        )
+        raise SceneError(f"steps[{i}].travel", cure, step.travel)
+
+
+def _check_straight(scene: Scene, kind: str, i: int) -> None:
+    if scene.sheave is not None:
+        table, instead = "[sheave]", "use steps form, bend, straighten and bend_cycles"
+    elif scene.core is not None and scene.core.model != "rigid":
+        table, instead = f'[core] of model "{scene.core.model}"', 'use core.model = "rigid"'
+    else:
+        return
+    cure = f"not possible in a scene with a {table}; {instead}, or remove that table."
+    raise SceneError(f"steps[{i}].kind", cure, kind)
+
+
+def _check_models(scene: Scene) -> None:
+    named = {f"yarn.models.{number}": model for number, model in scene.yarn.models.items()}
+    bends = any(isinstance(step, Bend) for step in scene.steps)
+    for key, model in {"yarn.model": scene.yarn.model, **named}.items():
+        if model in SOLID and not bends:
+            cure = 'only ropes that are bent have such yarns; use cable or beam, or add a step kind = "bend".'
+            raise SceneError(key, cure, model)
+        if model == "mixed":
+            _check_stretch(scene, key)
+
+
+def _check_stretch(scene: Scene, key: str) -> None:
+    stretch = scene.yarn.solid_stretch
+    if stretch is None:
+        cure = "needs yarn.solid_stretch, in mm: the length about the crown that is solid."
+        raise SceneError(key, cure, "mixed")
+    if stretch >= scene.length:
+        cure = f'must be below the sample\'s {scene.length:.4g} mm; or use yarn.model = "solid".'
+        raise SceneError("yarn.solid_stretch", cure, stretch)
+
+
+def _check_mesh(scene: Scene) -> None:
+    if scene.core is not None and scene.core.mesh and not Path(scene.core.mesh).is_file():
+        cure = "no such file; give the path of a mesh, or leave it out for a cylinder."
+        raise SceneError("core.mesh", cure, scene.core.mesh)
