@@ -27,6 +27,7 @@ COLUMNS = (
     "contact updates",
     "cuts",
     "moment (N mm)",
+    "travel (mm)",
 )
 
 
@@ -35,7 +36,8 @@ class HistoryRow:
     """One increment. The order of the fields is that of `COLUMNS`.
 
     `increment` counts through all steps of a run. `rope_strain` is None while the rope is still
-    being formed: it has no reference length yet. `moment` is given where groups of ends have conditions.
+    being formed: it has no reference length yet. `moment` is given where groups of ends have conditions,
+    `travel` where a rope is bent over a sheave.
     """
 
     increment: int
@@ -53,6 +55,7 @@ class HistoryRow:
     contact_updates: int = 0
     cuts: int = 0
     moment: float | None = None  # N mm, about the axis, on the last section
+    travel: float | None = None  # mm, of the ends of a bent rope towards the sheave
 
 
 class History:

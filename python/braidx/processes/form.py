@@ -27,6 +27,7 @@ from .model import RopeModel
 from .outcome import NotConverged, Outcome
 from .state import State
 
+AXIS = np.array([0.0, 0.0, 1.0])
 STRETCH = 10.0  # axial stiffness over tension: holds nodes apart within an increment
 DENSER = 0.7  # penetration over radius below which stations stand as dense as they will
 PRESSED = 0.06  # penetration over radius at which nodes are no longer spread
@@ -92,6 +93,9 @@ class Former:
         contact.laws.gap_step = step.gap_reduction * radius
         contact.pairing.keep_side = False
         self._spacing = contact.pairing.spacing
+        core = scene.core
+        # Whatever it is made of: yarns under a small tension find their places on it.
+        self._core = [engine.make_cylinder(0 * AXIS, AXIS, core.radius, False, 0)] if core else []
         self._number = {
             "done": 0.0,
             "separated": 0.0,
@@ -163,7 +167,7 @@ class Former:
         contact = self.model.contact
         contact.set_state(self.state.q)
         deepest = contact.deepest_penetration(self.state.q)
-        wrong = wrong_side_crossings(self.model, self.state.q)
+        wrong = self.model.wrong_side_crossings(self.state.q)
         if not self._has_come or wrong:
             pairs = ", ".join(f"{a}-{b}" for a, b in contact.worst_pairs())
             raise NotConverged(
@@ -188,11 +192,10 @@ class Former:
             number["stiffening"] = 1.0
         stretch, real = STRETCH * self.step.tension, model.scene.yarn.axial_stiffness
         model.set_yarns(self.step.tension, real if self._keeps_lengths else stretch)
-        contact.rigid = []
+        contact.rigid = self._core
         if self.step.die_diameter is not None and not number["open"]:
-            axis = np.array([0.0, 0.0, 1.0])
             bore = self.step.die_diameter / 2 + number["opening"]
-            contact.rigid = [engine.make_cylinder(0 * axis, axis, bore, True, 0)]
+            contact.rigid = [*self._core, engine.make_cylinder(0 * AXIS, AXIS, bore, True, 0)]
 
     def _solve(self) -> Increment:
         newton, contact, number = self.model.newton, self.model.contact, self._number
@@ -229,7 +232,7 @@ class Former:
         number, depth = self._number, increment.penetration / self._radius
         number["stiffening"] = 1.0
         if not number["separated"]:
-            number["separated"] = float(wrong_side_crossings(self.model, increment.q) == 0)
+            number["separated"] = float(self.model.wrong_side_crossings(increment.q) == 0)
         elif not number["dense"]:
             number["dense"] = float(depth < DENSER)
             number["raised"] = number["done"]
@@ -253,10 +256,3 @@ def spread_nodes(lines: tuple[Floats, ...]) -> Floats:
         arc = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
         spread.append(CubicSpline(arc, line)(np.linspace(0.0, arc[-1], len(line))))
     return np.concatenate(spread).ravel()
-
-
-def wrong_side_crossings(model: RopeModel, q: Floats) -> int:
-    """Number of yarn crossings, seen along the radial direction, where the wrong yarn is outside."""
-    # Those near an end of a periodic sample come once more, last.
-    heights = model.contact.crossing_heights(q)[: model.rope.num_yarn_crossings]
-    return int(np.sum(heights < 0))

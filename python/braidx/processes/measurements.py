@@ -40,9 +40,9 @@ STATE_RESULTS = {
 FIRST_PULL = tuple(n for n in STATE_RESULTS if n.startswith("yarn_stress") or n.endswith("_loaded"))
 
 
-def state_results(name: str, picture: Snapshot, wrong: int, forming: bool) -> dict[str, float]:
+def state_results(picture: Snapshot, wrong: int, forming: bool) -> dict[str, float]:
     """Results of a state worth a picture; stresses and loaded diameter are those of the first pull."""
-    results: dict[str, float] = {"wrong_side_crossings": float(wrong)}
+    name, results = picture.name, {"wrong_side_crossings": float(wrong)}
     if forming and name == "formed":
         results |= _diameters(picture, "formed")
     if picture.axial_stress is not None and name.endswith(("kN", "strain")):

@@ -6,7 +6,8 @@ import numpy as np
 from mpi4py import MPI
 
 from ..bodies import BeamBody, CableBody
-from ..geometry import Rope
+from ..geometry import Rope, one_for_all
+from ..output.snapshot import Snapshot
 from ..scene import Scene
 from ..solver.increment import Incrementer
 from ..solver.newton import Newton, NewtonOptions
@@ -16,7 +17,10 @@ from ..system.proximal import ProximalTerm
 from ..system.terms import BodyTerm, LoadTerm, Term
 from .ends import Ends
 from .grouped_ends import GroupedEnds
+from .measurements import state_results
 from .rope_contact import elements_beyond, make_contact
+from .rope_picture import rope_picture
+from .state import State
 from .yarns import cable_turning, section_tilt, yarn_material
 
 
@@ -92,6 +96,26 @@ class RopeModel:
         self.proximal.viscosity[:] = np.where(self.directors, directors, positions)
         if self.proximal.turning:
             self.proximal.turning.viscosity = directors
+
+    @property
+    def copies(self) -> int:
+        """How often what is solved for occurs in the sample."""
+        return self.scene.rope.pitches if one_for_all(self.scene) else 1
+
+    def picture(self, state: State, name: str) -> Snapshot:
+        """See RecordedModel."""
+        return rope_picture(self, state, name)
+
+    def results(self, state: State, picture: Snapshot) -> dict[str, float]:
+        """See RecordedModel."""
+        wrong = self.copies * self.wrong_side_crossings(state.q)
+        return state_results(picture, wrong, state.forms)
+
+    def wrong_side_crossings(self, q: Floats) -> int:
+        """Number of yarn crossings, seen along the radial direction, where the wrong yarn is outside."""
+        # Those near an end of a periodic sample come once more, last.
+        heights = self.contact.crossing_heights(q)[: self.rope.num_yarn_crossings]
+        return int(np.sum(heights < 0))
 
     def positions(self, q: Floats) -> Floats:
         """Node positions, shape (num_nodes, 3), mm."""

@@ -25,6 +25,7 @@ class Outcome:
         cuts: Times the increment was cut before it converged.
         cost: Newton iterations and linear solves of all attempts.
         snapshot: Name under which the state is kept for pictures, if any.
+        travel: How far the ends of a bent rope have been moved towards the sheave, mm.
         moment: Moment about the axis that the last section is turned with, N mm; None without groups of ends.
     """
 
@@ -37,3 +38,4 @@ class Outcome:
     cost: tuple[int, int] = (0, 0)
     snapshot: str | None = None
     moment: float | None = None
+    travel: float | None = None

@@ -11,18 +11,17 @@ from mpi4py import MPI
 from rich.console import Console
 
 from ..cli.environment import blas_warning
-from ..geometry import Rope, one_for_all
+from ..geometry import Rope
 from ..output import figures, history, paraview, snapshot
 from ..output.history import History, HistoryRow
 from ..output.log import LOGGER, close_log, open_log
 from ..output.progress import Progress
-from ..output.snapshot import ContactTable, Snapshot, repeated
+from ..output.snapshot import Snapshot
 from ..output.summary import PhaseCost, Summary, peak_memory_MB
-from ..scene import Form, Scene, Step
+from ..scene import Scene, Step
 from . import state as checkpoint
-from .form import wrong_side_crossings
-from .measurements import FIRST_PULL, STATE_RESULTS, final_results, state_results
-from .model import RopeModel
+from .measurements import FIRST_PULL, STATE_RESULTS, final_results
+from .recorded import RecordedModel
 from .outcome import Outcome
 from .state import State
 
@@ -46,7 +45,6 @@ class Recorder:
         self._costs: Mapping[str, PhaseCost] = resumed.costs if resumed else {}
         self._unknowns = self._elements = 0
         self._threads = 1
-        self._pitches = scene.rope.pitches if one_for_all(scene) else 1
         self._internal_energy = 0.0
         if not self.first:
             return
@@ -57,7 +55,7 @@ class Recorder:
         self._series = paraview.Series(folder / "fields", after) if scene.output.fields else None
         (folder / SNAPSHOTS).mkdir(exist_ok=True)
         names = [f"{i + 1} {step.kind}" for i, step in enumerate(scene.steps)]
-        self._progress = Progress(names, [WEIGHTS[step.kind] for step in scene.steps], console)
+        self._progress = Progress(names, [WEIGHTS.get(step.kind, 20.0) for step in scene.steps], console)
         slow = blas_warning()
         if slow:
             LOGGER.warning("%s", slow)
@@ -67,27 +65,23 @@ class Recorder:
             LOGGER.info("resumed after increment %d", resumed.increment)
             self._progress.resume(names[resumed.step], 0.0)
 
-    def begin(self, step: Step, model: RopeModel) -> None:
+    def begin(self, step: Step, model: RecordedModel) -> None:
         """A step begins with a model."""
         self._unknowns = max(self._unknowns, model.system.num_free)
         self._threads = model.contact.num_threads
 
-    def record(self, model: RopeModel, step: Step, outcome: Outcome, seconds: float) -> None:
+    def record(self, model: RecordedModel, step: Step, outcome: Outcome, seconds: float) -> None:
         """One more increment is accepted."""
         state, increment = outcome.state, outcome.increment
         self._elements = max(self._elements, increment.contact_elements)
         energy = model.internal_energy(state.q)
         share = state.stabilisation_work / energy if energy > 0 and not state.forms else 0.0
-        picture = (
-            repeated(model_snapshot(model, state, outcome.snapshot or step.kind), self._pitches)
-            if self._wanted(outcome)
-            else None
-        )
-        friction_work = self._pitches * state.friction_work
+        name = outcome.snapshot or step.kind
+        picture = model.picture(state, name) if self._wanted(outcome) else None
+        friction_work = model.copies * state.friction_work
         self._results["friction_work"] = friction_work
         if outcome.snapshot and picture is not None:
-            wrong = self._pitches * wrong_side_crossings(model, state.q)
-            found = state_results(outcome.snapshot, picture, wrong, isinstance(step, Form))
+            found = model.results(state, picture)
             first = {name: self._results[name] for name in FIRST_PULL if name in self._results}
             self._results |= found | first  # of several pulls the first one counts
         state.results.update(self._results)
@@ -111,6 +105,7 @@ class Recorder:
             increment.updates,
             outcome.cuts,
             outcome.moment,
+            outcome.travel,
         )
         self._history.append(row)
         self._progress.increment(row, outcome.share)
@@ -175,46 +170,3 @@ class Recorder:
 def start_snapshot(rope: Rope) -> Snapshot:
     """The start configuration."""
     return Snapshot("start", rope.centre_lines, rope.radius, rope.strand)
-
-
-def model_snapshot(model: RopeModel, state: State, name: str) -> Snapshot:
-    """A state with its contacts, and stresses unless it is being formed; gathered from all processes."""
-    q, own_model = state.q, not state.forms
-    degree, curves = model.body.layout.degree, model.body.layout.curve_elements
-    per_segment = np.repeat(model.tension(q), degree)
-    tension = tuple(np.split(per_segment, curves[1:-1] * degree))
-    area = float(model.scene.yarn.section_area)
-    directors = None
-    if model.body.block == 9:
-        all_directors = q.reshape(-1, 9)[:, 3:].reshape(-1, 2, 3)
-        directors = tuple(np.split(all_directors, model.body.curves[1:-1]))
-    return Snapshot(
-        name,
-        model.centre_lines(q),
-        model.rope.radius,
-        model.rope.strand,
-        directors=directors,
-        tension=tension,
-        axial_stress=(
-            tuple(np.divide(t, area, dtype=np.float64) for t in tension) if own_model else None
-        ),
-        contacts=_contact_table(model, q),
-    )
-
-
-def _contact_table(model: RopeModel, q: np.ndarray) -> ContactTable:
-    parts = model.comm.allgather(model.contact.results(q))
-    whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-    yarns = whole["tubes"][:, 1] >= 0
-    kept = {name: values[yarns] for name, values in whole.items()}
-    return ContactTable(
-        position=kept["position"],
-        normal=kept["normal"],
-        gap=kept["gap"],
-        normal_force=kept["normal_force"],
-        friction_force=-kept["friction_force"],
-        slip=np.linalg.norm(kept["slip"], axis=1),
-        work=kept["work"],
-        yarn_a=kept["tubes"][:, 0].astype(np.int64),
-        yarn_b=kept["tubes"][:, 1].astype(np.int64),
-    )

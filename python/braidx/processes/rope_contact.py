@@ -36,7 +36,7 @@ def make_contact(
         is_image: Whether the equilibrium of a yarn repeats another's, shape (num_yarns,).
         beyond: Elements that yarns go on for past their ends.
     """
-    curves, options = body.layout.curves, scene.contact
+    curves = body.layout.curves
     num_elements = np.diff(body.layout.curve_elements)
     lengths = np.add.reduceat(body.rest_lengths(), body.layout.curve_elements[:-1])
     ones = np.ones(len(num_elements), dtype=np.int64)
@@ -60,18 +60,23 @@ def make_contact(
         symmetric=scene.solver.tangent == "symmetric",
         num_threads=num_threads(comm),
     )
-    radius = rope.radius.min()
-    contact.pairing.spacing = (
-        options.station_spacing * float(layout.element_length.min()) / body.layout.degree
-    )
-    contact.pairing.stiffness = options.penalty or 0.01 * scene.yarn.axial_stiffness / radius**2
-    contact.pairing.search.margin = options.search_distance * radius
+    set_options(contact, scene)
+    penalty = scene.contact.penalty
+    contact.pairing.stiffness = penalty or 0.01 * scene.yarn.axial_stiffness / scene.yarn.radius**2
     contact.pairing.crossing.by_point = True
+    contact.laws.friction = [scene.contact.friction]
+    return contact
+
+
+def set_options(contact: Contact, scene: Scene) -> None:
+    """Spacing, tolerances and laws of contact, but for friction, from the scene."""
+    options, radius, layout = scene.contact, scene.yarn.radius, contact.layout
+    shortest = float((layout.element_length / layout.degree).min())
+    contact.pairing.spacing = options.station_spacing * shortest
+    contact.pairing.search.margin = options.search_distance * radius
     contact.pairing.point_tolerance = options.penetration_tolerance * radius
     contact.laws.regularisation = options.regularisation * radius
     contact.laws.reversible_slip = options.reversible_slip * radius
-    contact.laws.friction = [options.friction]
-    return contact
 
 
 def elements_beyond(rope: Rope, body: CurveBody) -> int:

@@ -13,8 +13,11 @@ from mpi4py import MPI
 from ..geometry import build_rope
 from ..output.log import LOGGER
 from ..output.summary import PhaseCost
-from ..scene import Cycle, Form, Hold, Pull, Scene, Settle, Step
+from ..scene import Bend, BendCycles, Cycle, Form, Hold, Pull, Scene, Settle, Step, Straighten
 from . import state as checkpoint
+from .bending.bend import bend, bend_cycles, straighten
+from .bending.model import BentRope
+from .bending.start import BENT, clamped, make_bent_rope
 from .form import form
 from .grouped_ends import check_ends
 from .model import RopeModel
@@ -32,6 +35,9 @@ STEPS: dict[type[Step], Callable[..., Iterator[Outcome]]] = {
     Pull: pull,
     Hold: hold,
     Cycle: cycle,
+    Bend: bend,
+    Straighten: straighten,
+    BendCycles: bend_cycles,
 }
 REST_FORCE = 100.0  # force on the rope after forming where no settle step gives one, N
 
@@ -63,14 +69,18 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
 
 
 def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -> None:
-    model: RopeModel | None = None
+    model: RopeModel | BentRope | None = None
     while state.step < len(scene.steps):
         step = scene.steps[state.step]
-        if state.forms and not isinstance(step, Form):
+        if isinstance(step, Bend) and state.model != BENT:
+            state, model = clamped(scene, state), None
+        elif state.forms and not isinstance(step, Form):
             force = 1e3 * step.force if isinstance(step, Settle) else REST_FORCE
             state = in_own_model(scene, state, force, state.results.get("formed_force", 0.0))
             model = None
-        if model is None:
+        if model is None and state.model == BENT:
+            model, state = make_bent_rope(comm, scene, state)
+        elif model is None:
             model = make_model(comm, scene, state)
         recorder.begin(step, model)
         clock = time.perf_counter()
@@ -79,7 +89,7 @@ def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -
             state = _counted(outcome, state, step, seconds)
             recorder.record(model, step, replace(outcome, state=state), seconds)
             clock = time.perf_counter()
-        following = next_stage(model, state)
+        following = next_stage(model, state) if isinstance(model, RopeModel) else None
         model = None if following else model
         state = following or state.next_step()
         recorder.checkpoint(state)

@@ -13,10 +13,11 @@ import numpy as np
 
 from ..output.summary import PhaseCost
 from ..scene import SceneError
-from ..system.constraints import Floats
+from ..system.constraints import Floats, Ints
 
 FILE = "checkpoint.npz"
-ARRAYS = ("q", "reference", "rest_tension")
+ARRAYS = ("q", "reference", "rest_tension", "previous", "stretches")
+KEPT = ("strain", "share", "tension", "travel", "moved", "pretension", "furthest")  # by the steps that follow
 CELL = ("cell", "released")  # models of one pitch
 
 
@@ -26,10 +27,12 @@ class State:
 
     Attributes:
         q: Unknowns, shape (num_unknowns,); block of the model in use.
-        model: While the rope is formed "cell" (one pitch), "released" (from the die) and "forming" (the whole rope,
+        model: "bent" once it is clamped and bent. While the rope is formed "cell" (one pitch), "released" (from the die) and "forming" (the whole rope,
             coming to rest), made of cables; then "cable" or "beam".
         reference: Unknowns of the reference state that strains are measured from, shape as q.
         rest_tension: Tension of the elements in the reference state, shape (num_elements,), N (cables).
+        previous: Unknowns of a bent rope one increment before, shape as q; nothing at its start.
+        stretches: What the yarns of a bent rope are modelled as (bending/stretches.py), shape (num_stretches, 4).
         contacts: Contact elements of all processes with their memory, as arrays.
         step: Number of the current step; `progress`: what the step has reached, its own numbers.
         increment: Increments so far, all steps.
@@ -43,6 +46,8 @@ class State:
     model: str
     reference: Floats
     rest_tension: Floats
+    previous: Floats = field(default_factory=lambda: np.empty(0))
+    stretches: Ints = field(default_factory=lambda: np.empty((0, 4), dtype=np.int64))
     contacts: dict[str, np.ndarray] = field(default_factory=dict)
     step: int = 0
     progress: dict[str, float] = field(default_factory=dict)
@@ -61,7 +66,7 @@ class State:
         """The same state at the beginning of the step that follows."""
         kept = {
             name: self.progress[name]
-            for name in ("strain", "share", "tension")
+            for name in KEPT
             if name in self.progress
         }
         return replace(self, step=self.step + 1, progress=kept)

@@ -1,0 +1,80 @@
+"""Steps of a rope over a sheave: bend, straighten, and again and again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from ...scene import Bend, BendCycles, Straighten
+from ..outcome import Outcome
+from ..state import State
+from .bender import Attempt, Bender
+from .model import BentRope
+
+NEAR = 1e-9  # mm: a travel is reached
+
+
+def smooth_step(t: float) -> float:
+    """From 0 to 1 with no velocity nor acceleration at either end."""
+    return t**3 * (10.0 - 15.0 * t + 6.0 * t**2)
+
+
+def bend(model: BentRope, state: State, step: Bend) -> Iterator[Outcome]:
+    """Moves both ends towards the sheave."""
+    bender = Bender(model, state)
+    bender.pretension = 1e3 * step.pretension
+    if not len(state.previous):
+        # Yarns that were formed as tubes come to rest in their own model.
+        yield _outcome(bender, bender.to(0.0), 0.0, "clamped")
+    yield from _travel(bender, step.travel, step.increments, "bent")
+
+
+def straighten(model: BentRope, state: State, step: Straighten) -> Iterator[Outcome]:
+    """Moves both ends back."""
+    yield from _travel(Bender(model, state), 0.0, step.increments, "straightened")
+
+
+def bend_cycles(model: BentRope, state: State, step: BendCycles) -> Iterator[Outcome]:
+    """Straightens and bends again, as far as the rope has been bent before."""
+    bender = Bender(model, state)
+    furthest = state.progress["furthest"]
+    turns = 2 * step.cycles
+    for turn in range(int(state.progress.get("turn", 0)), turns):
+        target, name = (furthest, "bent") if turn % 2 else (0.0, "straightened")
+        for outcome in _travel(bender, target, step.increments, f"cycle {turn // 2 + 1}, {name}"):
+            ended = outcome.snapshot is not None
+            own = {**bender.state.progress, "turn": float(turn + ended)}
+            bender.state = replace(bender.state, progress=own)
+            yield replace(outcome, state=bender.state, share=(turn + outcome.share) / turns)
+
+
+def _travel(bender: Bender, target: float, increments: int, name: str) -> Iterator[Outcome]:
+    """Increments to a travel (mm) along a smooth step; one that is cut is made up for by more of them."""
+    begin = bender.state.progress.get("begin", bender.travel)
+    done = int(bender.state.progress.get("done", 0))
+    while abs(target - bender.travel) > NEAR:
+        aim = begin + smooth_step((done + 1) / increments) * (target - begin)
+        attempt = bender.to(aim)
+        done += abs(bender.travel - aim) < NEAR
+        ended = abs(target - bender.travel) <= NEAR
+        own = {"begin": target, "done": 0.0} if ended else {"begin": begin, "done": float(done)}
+        bender.state = replace(bender.state, progress={**bender.state.progress, **own})
+        share = (bender.travel - begin) / (target - begin)
+        yield _outcome(bender, attempt, share, name if ended else None)
+
+
+def _outcome(bender: Bender, attempt: Attempt, share: float, name: str | None) -> Outcome:
+    model, state = bender.model, bender.state
+    return Outcome(
+        state,
+        attempt.increment,
+        share,
+        None,
+        float(np.abs(model.end_forces(state.q)).mean()),
+        attempt.cuts,
+        (attempt.iterations, attempt.linear_solves),
+        name,
+        travel=bender.travel,
+    )

@@ -1,0 +1,114 @@
+"""From one travel of the ends to the next, with increments that may be cut."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...output.log import LOGGER
+from ...solver.increment import Diverged, Increment, IncrementOptions
+from ...system.constraints import Floats
+from ..outcome import NotConverged
+from ..state import State
+from .model import BentRope
+
+HELD = 3e-4  # work of the stabilisation over the elastic energy that an increment may leave
+
+
+@dataclass
+class Attempt:
+    """A solved increment and what all its attempts cost."""
+
+    increment: Increment
+    cuts: int
+    iterations: int
+    linear_solves: int
+
+
+class Bender:
+    """Moves the ends of a bent rope, cutting increments that fail.
+
+    Attributes:
+        travel: Of both ends towards the sheave, mm.
+        pretension: Force on either end along the axis of the straight rope, N.
+    """
+
+    def __init__(self, model: BentRope, state: State) -> None:
+        self.model, self.state = model, state
+        self.travel = state.progress.get("travel", 0.0)
+        self.pretension = state.progress.get("pretension", 0.0)
+        self._moved = state.progress.get("moved", 0.0)
+        scene = model.scene
+        self._options = IncrementOptions(
+            penetration=scene.contact.penetration_tolerance * scene.yarn.radius
+        )
+
+    def to(self, travel: float) -> Attempt:
+        """Solves for a travel (mm), or for one on the way there if that increment has to be cut.
+
+        Raises:
+            NotConverged: If the smallest increment fails too.
+        """
+        step, cuts, iterations, solves = travel - self.travel, 0, 0, 0
+        solver = self.model.scene.solver
+        while True:
+            factor = 4.0**cuts
+            self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
+            try:
+                increment = self._increment(step)
+            except Diverged as failure:
+                iterations, solves = iterations + failure.iterations, solves + failure.linear_solves
+                cuts += 1
+                LOGGER.warning("increment to travel %.3f mm cut: %s", self.travel + step, failure)
+                if cuts > solver.max_cuts:
+                    raise self._give_up(self.travel + step, failure) from failure
+                step /= 2
+                continue
+            self._take(increment, step)
+            iterations, solves = iterations + increment.iterations, solves + increment.linear_solves
+            return Attempt(increment, cuts, iterations, solves)
+
+    def _increment(self, step: float) -> Increment:
+        model, system = self.model, self.model.system
+        turned = model.sheave.turn(model.scene, step)
+        model.contact.rigid = [model.sheave.surface(turned)]
+        model.move(self.travel + step, self.pretension)
+        first = system.expand(system.free_values(self._predict(step)))
+        options = replace(self._options, stabilisation=HELD * model.internal_energy(first))
+        return model.incrementer.solve(self.state.q, first, options)
+
+    def _predict(self, step: float) -> Floats:
+        """At the rate of the last increment, which ropes that bend on keep."""
+        q, before = self.state.q, self.state.previous
+        if not len(before) or self._moved * step <= 0.0:
+            return q
+        predicted: Floats = q + step / self._moved * (q - before)
+        return predicted
+
+    def _take(self, increment: Increment, step: float) -> None:
+        self.travel += step
+        self._moved = step
+        state = self.state
+        progress = {
+            "travel": self.travel,
+            "moved": step,
+            "pretension": self.pretension,
+            "furthest": max(self.travel, state.progress.get("furthest", 0.0)),
+        }
+        self.state = replace(
+            state,
+            q=increment.q,
+            previous=state.q,
+            contacts=self.model.contact.arrays(),
+            progress={**state.progress, **progress},
+            stabilisation_work=state.stabilisation_work + increment.stabilisation_work,
+            friction_work=state.friction_work + increment.friction_work,
+        )
+
+    def _give_up(self, travel: float, failure: Diverged) -> NotConverged:
+        pairs = ", ".join(f"{a}-{b}" for a, b in self.model.contact.worst_pairs())
+        return NotConverged(
+            f"no equilibrium at a travel of {travel:.3f} mm: {failure}; deepest contacts between surfaces "
+            f"{pairs or 'none'}; try more steps.increments, a higher solver.viscosity, or a small steps.pretension"
+        )

@@ -1,0 +1,137 @@
+"""The bent rope as a system to solve."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from mpi4py import MPI
+
+from ...bodies.tilt import SectionTilt
+from ...scene import Scene
+from ...solver.increment import Incrementer
+from ...solver.newton import Newton, NewtonOptions
+from ...system.constraints import Floats
+from ...system.global_system import GlobalSystem
+from ...system.proximal import ProximalTerm
+from ...system.terms import BodyTerm, LoadTerm, Term
+from ...system.turning import Turning
+from .assembly import Assembly
+from .clamp import SIZE, ClampTerm
+from .contact import make_contact
+from .curves import shear_stiffness
+from .sheave import SheavePlace
+from .stretches import Stretch
+
+
+class BentRope:
+    """Yarns, core and clamps, with contact among them and with the sheave.
+
+    Attributes:
+        assembly: The bodies.
+        contact: Contact between them.
+        sheave: Where the sheave is.
+        system: Global system of bodies, clamps, contact, loads and stabilisation.
+        incrementer: Solves one increment.
+
+    Args:
+        comm, scene: As of the run.
+        lines: Centre lines of the straight rope, shape (num_nodes, 3) each, mm.
+        stretches: What yarns are modelled as.
+    """
+
+    def __init__(
+        self,
+        comm: MPI.Comm,
+        scene: Scene,
+        lines: Sequence[Floats],
+        stretches: Sequence[Stretch],
+    ) -> None:
+        self.comm, self.scene, self.lines = comm, scene, tuple(lines)
+        self.assembly = Assembly(comm, scene, lines, stretches)
+        self.start = self.assembly.start
+        self.sheave = SheavePlace.below(scene, lines)
+        self.contact = make_contact(comm, scene, self.assembly)
+        size = len(self.start)
+        self.proximal = ProximalTerm(size, comm.rank, self._turning())
+        self.loads = LoadTerm(size, comm.rank)
+        yarn, radius = scene.yarn, scene.yarn.radius
+        self.clamp_term = ClampTerm(
+            self.assembly.clamps, yarn.axial_stiffness * radius, mine=comm.rank == 0
+        )
+        self.tilt = self._tilt()
+        terms: list[Term] = [BodyTerm(body, first) for body, first in self.assembly.bodies]
+        terms += [self.contact, self.proximal, self.loads, self.clamp_term]
+        terms += [self.tilt] if self.tilt else []
+        constraints, self._values = self.assembly.constraints()
+        self.system = GlobalSystem(comm, terms, constraints.resolve(), self._values)
+        self.directors = self._directors()
+        solver = scene.solver
+        options = NewtonOptions(
+            tolerance=solver.tolerance,
+            max_iterations=solver.max_iterations,
+            max_step=radius,
+            max_turn=solver.director_cap,
+            symmetric=solver.tangent == "symmetric",
+            petsc=solver.petsc,
+        )
+        self.newton = Newton(self.system, options, self.directors)
+        self.incrementer = Incrementer(self.newton, self.contact, self.proximal)
+
+    def move(self, travel: float, pretension: float) -> None:
+        """Prescribes where the ends are.
+
+        Args:
+            travel: Of both ends towards the sheave, mm.
+            pretension: Force on either end along the axis of the straight rope, N.
+        """
+        values = self._values.copy()
+        for clamp, sign in zip(self.assembly.clamps, (-1.0, 1.0), strict=True):
+            values[clamp.travel] = -travel
+            self.loads.loads[clamp.axial] = sign * pretension
+        self.system.constraint_values = values
+
+    def set_viscosity(self, positions: float, directors: float) -> None:
+        """Stabilisation: N/mm per node on positions, N mm per radian on directors, or tangents of cables."""
+        self.proximal.viscosity[:] = np.where(self.directors, directors, positions)
+        if self.proximal.turning:
+            self.proximal.turning.viscosity = directors
+
+    def internal_energy(self, q: Floats) -> float:
+        """Elastic energy of yarns and core of all processes, mJ."""
+        self.system.set_state(q)
+        energy = sum(body.energy() for body, _ in self.assembly.bodies) + self.clamp_term.energy()
+        energy += self.tilt.energy() if self.tilt else 0.0
+        return float(self.comm.allreduce(energy))
+
+    def end_forces(self, q: Floats) -> Floats:
+        """Force that each end is moved towards the sheave with, shape (2,), N, in a state of equilibrium."""
+        self.system.set_state(q)
+        outside = self.system.residual()
+        closure = self.system.constraints.closure
+        travels = [clamp.travel for clamp in self.assembly.clamps]
+        return np.asarray(-(closure[:, travels].T @ outside)).ravel()
+
+    def _directors(self) -> np.ndarray:
+        """Whether an unknown belongs to a director, shape (num_unknowns,)."""
+        out = np.zeros(len(self.start), dtype=bool)
+        for body, first in self.assembly.bodies:
+            out[first : first + body.num_unknowns] = np.arange(body.num_unknowns) % body.block >= 3
+        for clamp in self.assembly.clamps:
+            out[clamp.first_unknown + 3 : clamp.first_unknown + SIZE] = True
+        return out
+
+    def _turning(self) -> Turning | None:
+        if self.assembly.cables is None:
+            return None
+        body, first = self.assembly.cables
+        nodes = np.setdiff1d(np.arange(body.num_nodes - 1), body.layout.curves[1:-1] - 1)
+        before = first + 3 * nodes
+        return Turning(before, before + 3, body.rest_lengths())
+
+    def _tilt(self) -> SectionTilt | None:
+        if self.assembly.beams is None:
+            return None
+        body, first = self.assembly.beams
+        stiffness = shear_stiffness(body, self.scene, self.assembly.core_is_beam)
+        return SectionTilt(body.layout, body.rest, stiffness, self.comm.rank == 0, first)

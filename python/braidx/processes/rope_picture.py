@@ -1,0 +1,57 @@
+"""A straight rope as a picture: all of it, with stresses and contacts."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..output.snapshot import ContactTable, Snapshot, repeated
+from .state import State
+
+if TYPE_CHECKING:
+    from .model import RopeModel
+
+
+def rope_picture(model: RopeModel, state: State, name: str) -> Snapshot:
+    """A state with its contacts, and stresses unless it is being formed; gathered from all processes."""
+    q, own_model = state.q, not state.forms
+    degree, curves = model.body.layout.degree, model.body.layout.curve_elements
+    per_segment = np.repeat(model.tension(q), degree)
+    tension = tuple(np.split(per_segment, curves[1:-1] * degree))
+    area = float(model.scene.yarn.section_area)
+    directors = None
+    if model.body.block == 9:
+        all_directors = q.reshape(-1, 9)[:, 3:].reshape(-1, 2, 3)
+        directors = tuple(np.split(all_directors, model.body.curves[1:-1]))
+    picture = Snapshot(
+        name,
+        model.centre_lines(q),
+        model.rope.radius,
+        model.rope.strand,
+        directors=directors,
+        tension=tension,
+        axial_stress=(
+            tuple(np.divide(t, area, dtype=np.float64) for t in tension) if own_model else None
+        ),
+        contacts=_contact_table(model, q),
+    )
+    return repeated(picture, model.copies)
+
+
+def _contact_table(model: RopeModel, q: np.ndarray) -> ContactTable:
+    parts = model.comm.allgather(model.contact.results(q))
+    whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    yarns = whole["tubes"][:, 1] >= 0
+    kept = {name: values[yarns] for name, values in whole.items()}
+    return ContactTable(
+        position=kept["position"],
+        normal=kept["normal"],
+        gap=kept["gap"],
+        normal_force=kept["normal_force"],
+        friction_force=-kept["friction_force"],
+        slip=np.linalg.norm(kept["slip"], axis=1),
+        work=kept["work"],
+        yarn_a=kept["tubes"][:, 0].astype(np.int64),
+        yarn_b=kept["tubes"][:, 1].astype(np.int64),
+    )
