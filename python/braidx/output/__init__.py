@@ -1,5 +1,9 @@
-"""Results of a run: numbers, tables, files for ParaView and pictures. NumPy only, no DOLFINx."""
+"""Results of a run: numbers, tables, files for ParaView and pictures. No DOLFINx."""
 
-from braidx.output.snapshot import ContactTable, Snapshot
+from braidx.output.contact_table import ContactTable
+from braidx.output.core_line import CoreLine
+from braidx.output.sheave_picture import SheavePicture
+from braidx.output.skin_picture import SkinPicture
+from braidx.output.snapshot import Snapshot
 
-__all__ = ["ContactTable", "Snapshot"]
+__all__ = ["ContactTable", "CoreLine", "SheavePicture", "SkinPicture", "Snapshot"]

@@ -157,7 +157,9 @@ def contact_statistics(snapshot: Snapshot) -> ContactStatistics:
     if table is None or not len(table.gap):
         return ContactStatistics(0, 0, 0.0, 0.0, 0.0, 0.0, 0.0)
     penetration = np.maximum(-table.gap, 0.0)
-    thinner = np.minimum(snapshot.radius[table.yarn_a], snapshot.radius[table.yarn_b])
+    # Core and sheave, yarn number -1, are thicker than any yarn.
+    radius = np.append(snapshot.radius, np.inf if snapshot.core is None else snapshot.core.radius)
+    thinner = np.minimum(radius[table.yarn_a], radius[table.yarn_b])
     active = table.normal_force > 0.0
     normal = table.normal_force[active]
     friction = np.linalg.norm(table.friction_force[active], axis=1)

@@ -3,45 +3,28 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from braidx.output.arrays import Array, Integers
+from braidx.output.columns import columns, read_columns
+from braidx.output.contact_table import ContactTable, repeated_contacts
+from braidx.output.core_line import CoreLine
+from braidx.output.sheave_picture import SheavePicture
+from braidx.output.skin_picture import SkinPicture
 
-
-@dataclass(frozen=True)
-class ContactTable:
-    """Contact elements of one state, one row each (m rows).
-
-    Normals point from a to b; a negative gap is a penetration.
-    """
-
-    position: Array  # (m, 3), mm
-    normal: Array  # (m, 3), unit vectors from a to b
-    gap: Array  # (m,), mm
-    normal_force: Array  # (m,), N, positive in compression
-    friction_force: Array  # (m, 3), N, on b
-    slip: Array  # (m,), mm, accumulated
-    work: Array  # (m,), mJ, dissipated by friction
-    yarn_a: NDArray[np.int64]  # (m,)
-    yarn_b: NDArray[np.int64]  # (m,)
-
-    def __post_init__(self) -> None:
-        rows = len(self.gap)
-        for field in fields(self):
-            value = np.asarray(getattr(self, field.name))
-            vector = field.name in ("position", "normal", "friction_force")
-            expected = (rows, 3) if vector else (rows,)
-            if value.shape != expected:
-                raise ValueError(f"ContactTable.{field.name}: {value.shape}, expected {expected}.")
+__all__ = ["Array", "ContactTable", "Snapshot", "load", "repeated", "save"]
 
 
 @dataclass(frozen=True)
 class Snapshot:
-    """One state of a rope whose axis is z.
+    """One state of a rope whose axis is z, or was z before it was bent over a sheave.
+
+    A yarn that is a solid over a stretch has its whole centre line all the same: there the mean of
+    its sections.
 
     Raises:
         ValueError: If the arrays do not belong to the same yarns and nodes.
@@ -50,11 +33,14 @@ class Snapshot:
     name: str
     centre_lines: tuple[Array, ...]  # per yarn (n_i, 3), mm
     radius: Array  # (num_yarns,), mm
-    strand: NDArray[np.int64]  # (num_yarns,), strand of each yarn
+    strand: Integers  # (num_yarns,), strand of each yarn
     directors: tuple[Array, ...] | None = None  # per yarn (n_i, 2, 3), section vectors g1, g2
     tension: tuple[Array, ...] | None = None  # per yarn (n_i - 1,), N, per segment
     axial_stress: tuple[Array, ...] | None = None  # per yarn (n_i - 1,), MPa, per segment
     contacts: ContactTable | None = None
+    core: CoreLine | None = None
+    skins: tuple[SkinPicture, ...] = ()  # surfaces of what is modelled as a solid
+    sheave: SheavePicture | None = None
 
     def __post_init__(self) -> None:
         nodes = [len(line) for line in self.centre_lines]
@@ -73,6 +59,11 @@ class Snapshot:
             value = getattr(self, key)
             if value is not None and [np.shape(array) for array in value] != expected:
                 raise ValueError(f"Snapshot {self.name!r}: {key} does not fit the yarns' nodes.")
+        owners = [int(skin.owner.max()) for skin in self.skins if len(skin.owner)]
+        if owners and max(owners) >= len(nodes):
+            raise ValueError(
+                f"Snapshot {self.name!r}: a skin of yarn {max(owners)} of {len(nodes)} yarns."
+            )
 
     @property
     def num_yarns(self) -> int:
@@ -93,6 +84,7 @@ def repeated(snapshot: Snapshot, times: int) -> Snapshot:
     def each(values: tuple[Array, ...] | None) -> tuple[Array, ...] | None:
         return values and tuple(np.concatenate([value] * times) for value in values)
 
+    core = snapshot.core
     return replace(
         snapshot,
         centre_lines=tuple(nodal(line, shifts) for line in snapshot.centre_lines),
@@ -100,17 +92,12 @@ def repeated(snapshot: Snapshot, times: int) -> Snapshot:
         and tuple(nodal(pair, np.zeros(times)) for pair in snapshot.directors),
         tension=each(snapshot.tension),
         axial_stress=each(snapshot.axial_stress),
-        contacts=snapshot.contacts and _repeated_contacts(snapshot.contacts, shifts),
+        contacts=snapshot.contacts and repeated_contacts(snapshot.contacts, shifts),
+        core=core and replace(core, line=nodal(core.line, shifts)),
+        skins=tuple(
+            replace(skin, points=skin.points + shift) for shift in shifts for skin in snapshot.skins
+        ),
     )
-
-
-def _repeated_contacts(table: ContactTable, shifts: Array) -> ContactTable:
-    columns = {
-        field.name: np.concatenate([getattr(table, field.name)] * len(shifts))
-        for field in fields(ContactTable)
-    }
-    columns["position"] = np.concatenate([table.position + shift for shift in shifts])
-    return ContactTable(**columns)
 
 
 _PER_YARN = ("centre_lines", "directors", "tension", "axial_stress")
@@ -119,7 +106,7 @@ _PER_YARN = ("centre_lines", "directors", "tension", "axial_stress")
 def save(snapshot: Snapshot, path: Path) -> None:
     """Write a snapshot as compressed npz; the file appears whole or not at all."""
     counts = [len(line) for line in snapshot.centre_lines]
-    arrays: dict[str, object] = {
+    arrays: dict[str, Any] = {
         "name": snapshot.name,
         "counts": np.array(counts, dtype=np.int64),
         "radius": snapshot.radius,
@@ -129,17 +116,19 @@ def save(snapshot: Snapshot, path: Path) -> None:
         value = getattr(snapshot, key)
         if value is not None:
             arrays[key] = np.concatenate(value)
-    if snapshot.contacts is not None:
-        for field in fields(ContactTable):
-            arrays[f"contacts_{field.name}"] = getattr(snapshot.contacts, field.name)
+    arrays |= columns("contacts", snapshot.contacts)
+    arrays |= columns("core", snapshot.core)
+    arrays |= columns("sheave", snapshot.sheave)
+    for number, skin in enumerate(snapshot.skins):
+        arrays |= columns(f"skin{number}", skin)
     part = path.with_name(path.name + ".part")
     with part.open("wb") as stream:
-        np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
+        np.savez_compressed(stream, **arrays)
     os.replace(part, path)
 
 
 def load(path: Path) -> Snapshot:
-    """Read a snapshot written by `save`."""
+    """Read a snapshot written by `save`; of older files, what they do not have stays empty."""
     with np.load(path) as data:
         counts = data["counts"]
         per_yarn: dict[str, tuple[Array, ...]] = {}
@@ -147,11 +136,11 @@ def load(path: Path) -> Snapshot:
             if key in data:
                 lengths = counts - 1 if key in ("tension", "axial_stress") else counts
                 per_yarn[key] = tuple(np.split(data[key], np.cumsum(lengths)[:-1]))
-        contacts = None
-        if "contacts_gap" in data:
-            contacts = ContactTable(
-                **{f.name: data["contacts_" + f.name] for f in fields(ContactTable)}
-            )
+        skins = []
+        while f"skin{len(skins)}_points" in data:
+            skins.append(SkinPicture(**read_columns(f"skin{len(skins)}", SkinPicture, data)))
+        contacts = read_columns("contacts", ContactTable, data)
+        core, sheave = read_columns("core", CoreLine, data), read_columns("sheave", SheavePicture, data)
         return Snapshot(
             name=str(data["name"]),
             centre_lines=per_yarn["centre_lines"],
@@ -160,5 +149,8 @@ def load(path: Path) -> Snapshot:
             directors=per_yarn.get("directors"),
             tension=per_yarn.get("tension"),
             axial_stress=per_yarn.get("axial_stress"),
-            contacts=contacts,
+            contacts=ContactTable(**contacts) if contacts else None,
+            core=CoreLine(**core) if core else None,
+            skins=tuple(skins),
+            sheave=SheavePicture(**sheave) if sheave else None,
         )
