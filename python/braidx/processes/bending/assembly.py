@@ -102,6 +102,36 @@ class Assembly:
             out[stretch.yarn][stretch.nodes] = piece.centre_line(q)
         return tuple(out)
 
+    def directors(self, q: Floats) -> tuple[Floats, ...] | None:
+        """Sections of yarns, shape (num_nodes, 2, 3) each, if all of them are beams from end to end."""
+        if any(not piece.directors for piece in self.pieces):
+            return None
+        return tuple(piece.sections(q) for piece in self.pieces)
+
+    def axial_stress(self, q: Floats) -> tuple[Floats, ...]:
+        """Axial force of yarns over their section at rest, between the nodes of centre lines, MPa."""
+        out = [np.empty(len(line) - 1) for line in self._lines]
+        for part in (self.cables, self.beams):
+            if part is None:
+                continue
+            body, first = part
+            rows = q[first : first + body.num_unknowns].reshape(-1, body.block)
+            stress = body.axial_stress(rows)
+            for curve, stretch in enumerate(s for s in self.stretches if self._is_in(s, body)):
+                elements = slice(*body.layout.curve_elements[[curve, curve + 1]])
+                out[stretch.yarn][stretch.first : stretch.last] = stress[elements]
+        return tuple(out)
+
+    @property
+    def surface_yarn(self) -> Ints:
+        """Yarn that each surface of the contact engine belongs to, -1 for the core."""
+        yarns = [s.yarn for model in ("cable", "beam") for s in self.stretches if s.model == model]
+        return np.array(yarns + [-1] * self.core_is_beam, dtype=np.int64)
+
+    @staticmethod
+    def _is_in(stretch: Stretch, body: CurveBody) -> bool:
+        return stretch.model == ("beam" if body.block == 9 else "cable")
+
     def tubes(self) -> TubeLayout:
         """All curves as tubes of the contact engine."""
         parts = [part for part in (self.cables, self.beams) if part is not None]

@@ -8,6 +8,7 @@ import numpy as np
 from mpi4py import MPI
 
 from ...bodies.tilt import SectionTilt
+from ...output.snapshot import Snapshot
 from ...scene import Scene
 from ...solver.increment import Incrementer
 from ...solver.newton import Newton, NewtonOptions
@@ -19,7 +20,10 @@ from ...system.turning import Turning
 from .assembly import Assembly
 from .clamp import SIZE, ClampTerm
 from .contact import make_contact
+from ..state import State
 from .curves import shear_stiffness
+from .picture import bent_picture
+from .results import bent_results
 from .sheave import SheavePlace
 from .stretches import Stretch
 
@@ -111,6 +115,19 @@ class BentRope:
         closure = self.system.constraints.closure
         travels = [clamp.travel for clamp in self.assembly.clamps]
         return np.asarray(-(closure[:, travels].T @ outside)).ravel()
+
+    @property
+    def copies(self) -> int:
+        """How often what is solved for occurs in the sample: once."""
+        return 1
+
+    def picture(self, state: State, name: str) -> Snapshot:
+        """See RecordedModel."""
+        return bent_picture(self, state, name)
+
+    def results(self, state: State, picture: Snapshot) -> dict[str, float]:
+        """See RecordedModel."""
+        return bent_results(self, state, picture)
 
     def _directors(self) -> np.ndarray:
         """Whether an unknown belongs to a director, shape (num_unknowns,)."""

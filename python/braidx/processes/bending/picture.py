@@ -1,0 +1,71 @@
+"""A bent rope as a picture: yarns, core, sheave, stresses and contacts."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...output.contact_table import CORE_SHEAVE, YARN_CORE, YARN_SHEAVE, YARN_YARN, ContactTable
+from ...output.core_line import CoreLine
+from ...output.sheave_picture import SheavePicture
+from ...output.snapshot import Snapshot
+from ...system.constraints import Floats
+from ..state import State
+from .sheave import AXIS
+
+if TYPE_CHECKING:
+    from .model import BentRope
+
+NO_YARN = -1
+
+
+def bent_picture(model: BentRope, state: State, name: str) -> Snapshot:
+    """A state with everything that is known of it; gathered from all processes."""
+    scene, assembly, q = model.scene, model.assembly, state.q
+    lines = assembly.centre_lines(q)
+    stress = assembly.axial_stress(q)
+    core = None
+    if scene.core is not None and assembly.core is not None:
+        line = assembly.core.centre_line(q)
+        core = CoreLine(line, scene.core.radius, scene.core.inner_radius)
+    place = model.sheave
+    return Snapshot(
+        name,
+        lines,
+        np.full(len(lines), scene.yarn.radius),
+        np.arange(len(lines)),
+        directors=assembly.directors(q),
+        tension=tuple(s * scene.yarn.section_area for s in stress),
+        axial_stress=stress,
+        contacts=_contacts(model, q),
+        core=core,
+        sheave=SheavePicture(place.centre, AXIS, place.radius, place.groove_radius),
+    )
+
+
+def _contacts(model: BentRope, q: Floats) -> ContactTable:
+    parts = model.comm.allgather(model.contact.results(q))
+    whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    a, b = whole["tubes"].astype(np.int64).T
+    yarn = model.assembly.surface_yarn
+    yarn_a = yarn[a]
+    yarn_b = np.where(b < 0, NO_YARN, yarn[b])
+    on_sheave, with_core = b < 0, (yarn_a == NO_YARN) | ((b >= 0) & (yarn_b == NO_YARN))
+    kind = np.select(
+        [on_sheave & with_core, on_sheave, with_core], [CORE_SHEAVE, YARN_SHEAVE, YARN_CORE], YARN_YARN
+    )
+    return ContactTable(
+        position=whole["position"],
+        normal=whole["normal"],
+        gap=whole["gap"],
+        normal_force=whole["normal_force"],
+        friction_force=-whole["friction_force"],
+        slip=np.linalg.norm(whole["slip"], axis=1),
+        work=whole["work"],
+        yarn_a=yarn_a,
+        yarn_b=yarn_b,
+        kind=kind,
+        measure=whole["weight"],
+        per_area=np.zeros(len(a), dtype=bool),
+    )
