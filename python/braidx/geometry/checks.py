@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import math
 
-from braidx.geometry.closed_forms import helix_angle, strand_share
+from braidx.geometry.bending_checks import check_bent_rope
+from braidx.geometry.closed_forms import helix_angle
+from braidx.geometry.jamming import check_jamming
 from braidx.geometry.motif import check_motif, motif_matrix
-from braidx.geometry.strand import (
-    OVERLAP_ALLOWED,
-    largest_yarn_radius,
-    ring_radii,
-    strand_section,
-    yarn_pitch,
-)
+from braidx.geometry.strand import largest_yarn_radius, ring_radii, yarn_pitch
+from braidx.geometry.undulation_checks import check_undulation
 from braidx.scene.errors import SceneError
 from braidx.scene.scene import Scene
 
@@ -25,7 +22,15 @@ def check_geometry(scene: Scene) -> None:
     if scene.braid is not None:
         counts = (scene.braid.strands_per_direction[0], scene.braid.strands_per_direction[1])
         check_motif(motif_matrix(scene.braid.motif), counts)
-        _check_jamming(scene)
+        check_jamming(scene)
+        check_undulation(scene)
+    check_bent_rope(scene, num_yarns(scene))
+
+
+def num_yarns(scene: Scene) -> int:
+    """Yarns of a scene's rope."""
+    strands = 1 if scene.braid is None else sum(scene.braid.strands_per_direction)
+    return strands * sum(scene.strand.rings)
 
 
 def _check_yarn_pitch(scene: Scene) -> None:
@@ -52,25 +57,6 @@ def _check_rings(scene: Scene) -> None:
             f'at most {largest:.4g} mm, or strand.helix_radius = "touching".',
             scene.yarn.radius,
         )
-
-
-def _check_jamming(scene: Scene) -> None:
-    assert scene.braid is not None
-    count, radius = max(scene.braid.strands_per_direction), scene.braid.helix_radius
-    share = strand_share(count, radius, scene.rope.pitch)
-    outer = strand_section(scene.strand, scene.yarn.radius).outer_radius
-    if count == 1 or 2.0 * outer * (1.0 - OVERLAP_ALLOWED) <= share:
-        return
-    at_zero = strand_section(scene.strand, 0.0).outer_radius
-    half = share / (2.0 * (1.0 - OVERLAP_ALLOWED))
-    largest = scene.yarn.radius * (half - at_zero) / (outer - at_zero)
-    cure = f"use at most {largest:.4g} mm, or a larger" if largest > 0.0 else "use a larger"
-    raise SceneError(
-        "yarn.radius",
-        f"{count} strands of diameter {2.0 * outer:.4g} mm per direction jam: braid.helix_radius = "
-        f"{radius:g} mm leaves each {share:.4g} mm; {cure} braid.helix_radius.",
-        scene.yarn.radius,
-    )
 
 
 def _check_slope(scene: Scene) -> None:

@@ -60,6 +60,11 @@ def closes(motif: Motif, counts: tuple[int, int]) -> bool:
     return bool(np.array_equal(np.roll(motif, counts, axis=(0, 1)), motif))
 
 
+def repeats(motif: Motif, layer_1: int) -> bool:
+    """Whether a motif that closes repeats after one pitch, in which a strand meets each of the other layer twice."""
+    return bool(np.array_equal(np.roll(motif, 2 * layer_1, axis=1), motif))
+
+
 def stacking_order(motif: Motif, line_0: NDArray[np.int64], line_1: NDArray[np.int64]) -> Motif:
     """Order at crossings of lines of layer 0 and layer 1: +1 where layer 0 is outside.
 

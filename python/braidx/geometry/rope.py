@@ -9,9 +9,11 @@ from numpy.typing import NDArray
 
 from braidx.geometry.checks import check_geometry
 from braidx.geometry.end_groups import check_end_groups
-from braidx.geometry.crossings import Crossings, find_crossings, no_crossings, phase_offset
+from braidx.geometry.crossings import Crossings, find_crossings, no_crossings
+from braidx.geometry.helix import place_yarn
 from braidx.geometry.motif import motif_matrix
 from braidx.geometry.strand import strand_section, yarn_pitch
+from braidx.geometry.strands import lay_sense, strand_helices
 from braidx.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -39,37 +41,15 @@ class Rope:
         return len(self.strand_lines)
 
     @property
+    def crown(self) -> float:
+        """Where the rope is bent, z of its middle, mm."""
+        return self.length / 2.0
+
+    @property
     def num_yarn_crossings(self) -> int:
         """Crossings of a yarn with a yarn, in all crossings of their strands."""
         yarns = np.bincount(self.strand, minlength=self.num_strands)
         return int(yarns[self.crossings.strand_a] @ yarns[self.crossings.strand_b])
-
-
-@dataclass(frozen=True)
-class StrandHelix:
-    """Centre line of a strand: a helix around z; with radius 0 and infinite pitch the axis."""
-
-    radius: float  # mm
-    pitch: float  # mm
-    sense: int  # +1 right-handed, -1 left-handed
-    phase: float  # radians
-
-    def point(self, z: Array) -> Array:
-        """Points of the centre line at these z, shape (n, 3)."""
-        angle = self._angle(z)
-        return np.column_stack([self.radius * np.cos(angle), self.radius * np.sin(angle), z])
-
-    def frame(self, z: Array) -> tuple[Array, Array]:
-        """Outward radial vector e_r and t x e_r, t being the unit tangent; (n, 3) each."""
-        angle, zero = self._angle(z), np.zeros_like(z)
-        slope = self.sense * 2.0 * np.pi * self.radius / self.pitch
-        sine, cosine = slope / np.hypot(slope, 1.0), 1.0 / np.hypot(slope, 1.0)
-        radial = np.column_stack([np.cos(angle), np.sin(angle), zero])
-        across = np.column_stack([-np.sin(angle) * cosine, np.cos(angle) * cosine, zero - sine])
-        return radial, across
-
-    def _angle(self, z: Array) -> Array:
-        return self.phase + self.sense * 2.0 * np.pi * z / self.pitch
 
 
 def build_rope(scene: Scene) -> Rope:
@@ -81,12 +61,14 @@ def build_rope(scene: Scene) -> Rope:
     check_geometry(scene)
     intervals = scene.yarn.elements_per_pitch * scene.rope.pitches * scene.yarn.degree
     z = np.linspace(0.0, scene.length, intervals + 1, dtype=np.float64)
-    helices, layer = _strands(scene)
+    helices, layer = strand_helices(scene)
     section = strand_section(scene.strand, scene.yarn.radius)
     places = list(zip(section.ring_radius, section.phase, strict=True))
     pitch = yarn_pitch(scene.strand, scene.rope.pitch)
     lines = tuple(
-        place_yarn(helix, radius, phase, _lay(scene.strand.lay, helix) * 2.0 * np.pi / pitch, z)
+        place_yarn(
+            helix, radius, phase, lay_sense(scene.strand.lay, helix) * 2.0 * np.pi / pitch, z
+        )
         for helix in helices
         for radius, phase in places
     )
@@ -102,50 +84,6 @@ def build_rope(scene: Scene) -> Rope:
     )
     check_end_groups(scene, rope)
     return rope
-
-
-def place_yarn(helix: StrandHelix, radius: float, phase: float, rate: float, z: Array) -> Array:
-    """Centre line of a yarn with its nodes exactly at the given z, shape (n, 3), mm.
-
-    The yarn lies in the plane normal to the strand at the strand's height s, at the angle
-    phase + rate s from the outward radial vector; s is solved for with Newton's method.
-
-    Args:
-        helix: Centre line of the strand.
-        radius: Distance from it, mm.
-        phase: Angle at s = 0, radians.
-        rate: Turns, radians per mm of s; positive is right-handed.
-        z: Heights of the nodes, shape (n,), mm.
-    """
-    s = z.copy()
-    tilt = radius * helix.frame(z[:1])[1][0, 2]  # t x e_r rises by the same all along a helix
-    for _ in range(20):  # `check_geometry` bounds |tilt rate| by 0.8: this converges in a few steps
-        angle = phase + rate * s
-        s -= (s + tilt * np.sin(angle) - z) / (1.0 + tilt * rate * np.cos(angle))
-    radial, across = helix.frame(s)
-    angle = (phase + rate * s)[:, None]
-    line = helix.point(s) + radius * (np.cos(angle) * radial + np.sin(angle) * across)
-    line[:, 2] = z
-    return line
-
-
-def _strands(scene: Scene) -> tuple[list[StrandHelix], NDArray[np.int64]]:
-    """Centre lines of all strands, layer 0 first, and the layer of each."""
-    pitch = scene.rope.pitch
-    if scene.braid is None:
-        return [StrandHelix(0.0, np.inf, 1, 0.0)], np.zeros(1, dtype=np.int64)
-    counts = scene.braid.strands_per_direction
-    offset = phase_offset((counts[0], counts[1]))
-    helices = [
-        StrandHelix(scene.braid.helix_radius, pitch, sense, start + 2.0 * np.pi * k / count)
-        for sense, start, count in ((1, 0.0, counts[0]), (-1, offset, counts[1]))
-        for k in range(count)
-    ]
-    return helices, np.repeat(np.arange(2), counts)
-
-
-def _lay(lay: str, helix: StrandHelix) -> int:
-    return {"Z": 1, "S": -1, "same": helix.sense, "opposite": -helix.sense}[lay]
 
 
 def _crossings(scene: Scene) -> Crossings:

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from braidx.geometry import build_rope
-from braidx.geometry.rope import StrandHelix, place_yarn
+from braidx.geometry.helix import StrandHelix, place_yarn
 from braidx.scene import RopeRecipe, Scene, StrandRecipe, YarnModel, load_scene
 
 PAPER = Path(__file__).parents[3] / "demos" / "tensile_test.toml"
