@@ -4,7 +4,7 @@ Stacking order included.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +30,7 @@ def one_for_all(scene: Scene) -> bool:
 
 def one_pitch(scene: Scene) -> Rope:
     """One pitch of the start configuration."""
-    return build_rope(replace(scene, rope=replace(scene.rope, pitches=1)))
+    return build_rope(scene, pitches=1)
 
 
 @dataclass(frozen=True)
