@@ -1,6 +1,7 @@
 #include "assembly/assemble.h"
 #include "assembly/memory.h"
 #include "bindings/elements.h"
+#include "bindings/surfaces.h"
 #include "pairing/pairing.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <nanobind/stl/vector.h>
 
 NB_MAKE_OPAQUE(std::vector<braidx::Tube>)
+NB_MAKE_OPAQUE(std::vector<braidx::Skin>)
 NB_MAKE_OPAQUE(std::vector<braidx::Crossing>)
 NB_MAKE_OPAQUE(braidx::ContactElements)
 
@@ -20,19 +22,6 @@ namespace {
 
 /// Other Python threads go on while the engine works on arrays and objects of its own.
 constexpr nb::call_guard<nb::gil_scoped_release> without_gil;
-
-std::vector<Tube> make_tubes(const In<std::int64_t>& first_unknown,
-                             const In<std::int32_t>& num_elements, const In<std::int32_t>& degree,
-                             const In<std::int32_t>& block, const In<double>& radius,
-                             const In<double>& element_length, const In<std::int32_t>& body,
-                             const In<bool>& is_image, bool smooth, int beyond) {
-    std::vector<Tube> tubes;
-    for (std::size_t i = 0; i < radius.size(); ++i)
-        tubes.push_back({first_unknown.data()[i], num_elements.data()[i], degree.data()[i],
-                         block.data()[i], radius.data()[i], element_length.data()[i],
-                         body.data()[i], smooth, is_image.data()[i], beyond});
-    return tubes;
-}
 
 std::vector<Crossing> make_crossings(const In<std::int32_t>& tubes, const In<double>& windows,
                                      const In<std::int32_t>& order, const In<double>& axis) {
@@ -70,6 +59,9 @@ NB_MODULE(braidx_engine, m) {
     m.doc() = "Contact engine of braidx: arrays in, arrays out. Units: mm, N, MPa.";
 
     nb::class_<std::vector<Tube>>(m, "Tubes");
+    nb::class_<Skin>(m, "Skin").def_prop_ro("num_points", &Skin::num_points);
+    nb::class_<OwnedSurfaces>(m, "Surfaces").def(nb::init<std::vector<Tube>>());
+    nb::implicitly_convertible<std::vector<Tube>, OwnedSurfaces>();
     nb::class_<std::vector<Crossing>>(m, "Crossings")
         .def("__len__", [](const std::vector<Crossing>& c) { return c.size(); });
     nb::class_<Rigid>(m, "Rigid");
@@ -104,10 +96,13 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("point_tolerance", &PairingOptions::point_tolerance)
         .def_rw("keep_points", &PairingOptions::keep_points)
         .def_rw("stiffness", &PairingOptions::stiffness)
+        .def_rw("area_stiffness", &PairingOptions::area_stiffness)
         .def_rw("keep_side", &PairingOptions::keep_side)
         .def_rw("part", &PairingOptions::part)
         .def_rw("num_parts", &PairingOptions::num_parts)
-        .def_rw("num_threads", &PairingOptions::num_threads);
+        .def_rw("num_threads", &PairingOptions::num_threads)
+        .def_rw("num_bodies", &PairingOptions::num_bodies)
+        .def_rw("may_touch", &PairingOptions::may_touch);
     nb::class_<ContactLaws>(m, "ContactLaws")
         .def(nb::init<>())
         .def_rw("regularisation", &ContactLaws::regularisation)
@@ -118,16 +113,28 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("friction", &ContactLaws::friction);
 
     m.def("make_tubes", &make_tubes, "first_unknown"_a, "num_elements"_a, "degree"_a, "block"_a,
-          "radius"_a, "element_length"_a, "body"_a, "is_image"_a, "smooth"_a, "beyond"_a = 0);
+          "radius"_a, "element_length"_a, "body"_a, "is_image"_a, "smooth"_a, "beyond"_a = 0,
+          "group"_a = std::vector<int>{});
+    m.def("make_skin", &skin_from_arrays, "facets"_a, "body"_a, "radius"_a, "group"_a, "rest"_a);
+    m.def(
+        "make_surfaces",
+        [](const std::vector<Tube>& tubes, const nb::list& skins) {
+            OwnedSurfaces out{tubes, {}};
+            for (const auto skin : skins)
+                out.skins.push_back(nb::cast<const Skin&>(skin));
+            return out;
+        },
+        "tubes"_a, "skins"_a);
     m.def("make_crossings", &make_crossings, "tubes"_a, "windows"_a, "order"_a, "axis"_a);
     m.def(
         "make_contact_elements",
-        [](const std::vector<Tube>& tubes, const std::vector<Crossing>& crossings,
+        [](const OwnedSurfaces& surfaces, const std::vector<Crossing>& crossings,
            const std::vector<Rigid>& rigid, const In<double>& q, const ContactElements& previous,
            const PairingOptions& options) {
-            return make_contact_elements({tubes, crossings, rigid}, view(q), previous, options);
+            return make_contact_elements({surfaces.tubes, crossings, rigid, surfaces.skins},
+                                         view(q), previous, options);
         },
-        "tubes"_a, "crossings"_a, "rigid"_a, "q"_a, "previous"_a, "options"_a, without_gil);
+        "surfaces"_a, "crossings"_a, "rigid"_a, "q"_a, "previous"_a, "options"_a, without_gil);
     m.def(
         "make_plane",
         [](const In<double>& point, const In<double>& normal, int body) {
@@ -177,65 +184,80 @@ NB_MODULE(braidx_engine, m) {
             });
         },
         "tubes"_a, "a"_a, "b"_a, "spacing"_a);
-    m.def("make_pattern", &make_pattern, "tubes"_a, "elements"_a, "reach"_a = 0.0,
-          "num_threads"_a = 1, without_gil);
-    m.def("place", &place, "pattern"_a, "tubes"_a, "elements"_a, "num_threads"_a = 1, without_gil);
+    m.def(
+        "make_pattern",
+        [](const OwnedSurfaces& surfaces, const ContactElements& elements, double reach,
+           int num_threads) { return make_pattern(surfaces, elements, reach, num_threads); },
+        "surfaces"_a, "elements"_a, "reach"_a = 0.0, "num_threads"_a = 1, without_gil);
+    m.def(
+        "place",
+        [](Pattern& pattern, const OwnedSurfaces& surfaces, const ContactElements& elements,
+           int num_threads) { return place(pattern, surfaces, elements, num_threads); },
+        "pattern"_a, "surfaces"_a, "elements"_a, "num_threads"_a = 1, without_gil);
     m.def(
         "add_residual",
-        [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q,
+        [](const OwnedSurfaces& surfaces, const ContactElements& elements, const In<double>& q,
            const In<double>& q_start, const ContactLaws& laws, const InOut<double>& residual,
            int num_threads) {
-            add_residual(tubes, elements, view(q), view(q_start), laws, view(residual),
+            add_residual(surfaces, elements, view(q), view(q_start), laws, view(residual),
                          num_threads);
         },
-        "tubes"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "residual"_a, "num_threads"_a = 1,
+        "surfaces"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "residual"_a, "num_threads"_a = 1,
         without_gil);
     m.def(
         "add_tangent",
-        [](const std::vector<Tube>& tubes, const ContactElements& elements, const Pattern& pattern,
+        [](const OwnedSurfaces& surfaces, const ContactElements& elements, const Pattern& pattern,
            const In<double>& q, const In<double>& q_start, const ContactLaws& laws, bool symmetric,
            const InOut<double>& values, int num_threads) {
-            add_tangent(tubes, elements, pattern, view(q), view(q_start), laws,
+            add_tangent(surfaces, elements, pattern, view(q), view(q_start), laws,
                         symmetric ? FrictionTangent::symmetric : FrictionTangent::consistent,
                         view(values), num_threads);
         },
-        "tubes"_a, "elements"_a, "pattern"_a, "q"_a, "q_start"_a, "laws"_a, "symmetric"_a,
+        "surfaces"_a, "elements"_a, "pattern"_a, "q"_a, "q_start"_a, "laws"_a, "symmetric"_a,
         "values"_a, "num_threads"_a = 1, without_gil);
     m.def(
         "commit",
-        [](const std::vector<Tube>& tubes, ContactElements& elements, const In<double>& q,
+        [](const OwnedSurfaces& surfaces, ContactElements& elements, const In<double>& q,
            const In<double>& q_start, const ContactLaws& laws, int num_threads) {
-            const auto done = commit(tubes, elements, view(q), view(q_start), laws, num_threads);
+            const auto done = commit(surfaces, elements, view(q), view(q_start), laws, num_threads);
             return std::pair(done.work, done.penetration);
         },
-        "tubes"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "num_threads"_a = 1, without_gil);
+        "surfaces"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "num_threads"_a = 1, without_gil);
     m.def(
         "adapt_stiffness",
-        [](const std::vector<Tube>& tubes, ContactElements& elements, const In<double>& q,
+        [](const OwnedSurfaces& surfaces, ContactElements& elements, const In<double>& q,
            double tolerance, double growth, double elsewhere, int num_threads) {
-            return adapt_stiffness(tubes, elements, view(q), tolerance, growth, elsewhere,
+            return adapt_stiffness(surfaces, elements, view(q), tolerance, growth, elsewhere,
                                    num_threads);
         },
-        "tubes"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a, "elsewhere"_a = 0.0,
+        "surfaces"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a, "elsewhere"_a = 0.0,
         "num_threads"_a = 1, without_gil);
     m.def(
         "deepest_penetration",
-        [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q,
-           int num_threads) { return deepest_penetration(tubes, elements, view(q), num_threads); },
-        "tubes"_a, "elements"_a, "q"_a, "num_threads"_a = 1, without_gil);
+        [](const OwnedSurfaces& surfaces, const ContactElements& elements, const In<double>& q,
+           int num_threads) {
+            return deepest_penetration(surfaces, elements, view(q), num_threads);
+        },
+        "surfaces"_a, "elements"_a, "q"_a, "num_threads"_a = 1, without_gil);
     m.def(
         "sum_normal_forces",
-        [](const std::vector<Tube>& tubes, const ContactElements& elements, const In<double>& q,
+        [](const OwnedSurfaces& surfaces, const ContactElements& elements, const In<double>& q,
            const In<double>& q_start, const ContactLaws& laws, int num_threads) {
             const auto sums =
-                sum_normal_forces(tubes, elements, view(q), view(q_start), laws, num_threads);
+                sum_normal_forces(surfaces, elements, view(q), view(q_start), laws, num_threads);
             return std::pair(sums.rigid, sums.all);
         },
-        "tubes"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "num_threads"_a = 1, without_gil);
+        "surfaces"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "num_threads"_a = 1, without_gil);
     m.def("freeze_sections", &freeze_sections, "elements"_a);
-    m.def("sum_log_stiffness", &sum_log_stiffness, "elements"_a);
+    m.def(
+        "sum_log_stiffness",
+        [](const ContactElements& elements, bool per_area) {
+            const auto logs = sum_log_stiffness(elements, per_area);
+            return std::pair(logs.sum, logs.count);
+        },
+        "elements"_a, "per_area"_a);
     m.def("scale_stiffness", &scale_stiffness, "elements"_a, "factor"_a);
-    m.def("contact_results", &contact_results, "tubes"_a, "elements"_a, "q"_a, "q_start"_a,
+    m.def("contact_results", &contact_results, "surfaces"_a, "elements"_a, "q"_a, "q_start"_a,
           "laws"_a, "num_threads"_a = 1);
     m.def("crossing_heights", &heights, "tubes"_a, "crossings"_a, "q"_a);
     m.def(

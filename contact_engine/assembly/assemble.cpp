@@ -79,12 +79,12 @@ void add_all(std::size_t count, int num_threads, std::span<double> sums, const A
 
 } // namespace
 
-void add_residual(const std::vector<Tube>& tubes, const ContactElements& elements, Unknowns q,
+void add_residual(const DeformableSurfaces& surfaces, const ContactElements& elements, Unknowns q,
                   Unknowns q_start, const ContactLaws& laws, std::span<double> residual,
                   int num_threads) {
-    const auto asked = asked_elements(tubes, elements);
+    const auto asked = asked_elements(surfaces, elements);
     add_all(asked.size(), num_threads, residual, [&](std::size_t k, std::span<double> sums) {
-        const Reaction r = reaction(tubes, elements[asked[k]], q, q_start, laws);
+        const Reaction r = reaction(surfaces, elements[asked[k]], q, q_start, laws);
         if (!r.acts())
             return;
         const auto& s = r.system;
@@ -94,24 +94,24 @@ void add_residual(const std::vector<Tube>& tubes, const ContactElements& element
     });
 }
 
-void add_tangent(const std::vector<Tube>& tubes, const ContactElements& elements,
+void add_tangent(const DeformableSurfaces& surfaces, const ContactElements& elements,
                  const Pattern& pattern, Unknowns q, Unknowns q_start, const ContactLaws& laws,
                  FrictionTangent tangent, std::span<double> values, int num_threads) {
-    const auto asked = asked_elements(tubes, elements);
+    const auto asked = asked_elements(surfaces, elements);
     add_all(asked.size(), num_threads, values, [&](std::size_t k, std::span<double> sums) {
         const auto& element = elements[asked[k]];
-        const Reaction r = reaction(tubes, element, q, q_start, laws);
+        const Reaction r = reaction(surfaces, element, q, q_start, laws);
         if (!r.acts())
             return;
         const auto& system = r.system;
         const auto friction = friction_gradient(r, element.normal, tangent);
         std::optional<Sliding> sliding;
         if (laws.sliding && system.facing.distance > 0)
-            sliding.emplace(tubes, element, q, system);
+            sliding.emplace(surfaces, element, q, system);
         // Unknowns that came in as sections moved on have no place in the pattern yet: Newton does
         // without.
-        const Rows rows =
-            asked_rows(tubes, element.tube_a, element.tube_b, system.count_a, system.count_frozen);
+        const Rows rows = asked_rows(surfaces, element.surface_a, element.surface_b, system.count_a,
+                                     system.count_frozen);
         const std::int32_t* const slots = pattern.slot.data() + pattern.first_slot[asked[k]];
         const std::int32_t* slot = slots;
         for (int i = rows.begin; i < rows.end; ++i)

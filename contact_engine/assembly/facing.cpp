@@ -33,11 +33,11 @@ std::optional<Station> follow(const TubePair& pair, const ContactElement& e) {
 
 } // namespace
 
-Facing facing(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q) {
+Facing facing(const DeformableSurfaces& surfaces, const ContactElement& e, Unknowns q) {
     Facing out{e.s_a, e.s_b, e.normal, 1, 0};
     if (e.follows == 0)
         return out;
-    const TubePair pair{tubes[e.tube_a], tubes[e.tube_b], q, e.follows};
+    const TubePair pair{surfaces.tube(e.surface_a), surfaces.tube(e.surface_b), q, e.follows};
     const auto station = follow(pair, e);
     if (!station)
         return out;

@@ -19,7 +19,7 @@ struct Facing {
 };
 
 /// The element's own sections and normal where it does not follow, or where it cannot.
-Facing facing(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q);
+Facing facing(const DeformableSurfaces& surfaces, const ContactElement& element, Unknowns q);
 
 /// From now on sections and normals stay as they were made.
 void freeze_sections(ContactElements& elements);

@@ -6,18 +6,53 @@
 namespace braidx {
 namespace {
 
-/// Adds a side's material particle, at the element's own section: unknowns in the order of the
+/// A side of a contact element: the section of a tube at s, or a place on a facet of a skin.
+struct Side {
+    const DeformableSurfaces& surfaces;
+    std::int32_t surface, facet;
+    double s;
+    const double (&xi)[2];
+    bool of_b;
+
+    Side(const DeformableSurfaces& all, const ContactElement& e, bool is_b)
+        : surfaces(all), surface(is_b ? e.surface_b : e.surface_a),
+          facet(is_b ? e.facet_b : e.facet_a), s(is_b ? e.s_b : e.s_a), xi(is_b ? e.xi_b : e.xi_a),
+          of_b(is_b) {}
+
+    double sign() const { return of_b ? 1 : -1; }
+};
+
+/// Adds a vector unknown with its weight in a side's material particle.
+void add_unknown(LocalSystem& system, std::int64_t unknown, double weight, bool of_b, Unknowns q) {
+    const int i = system.count++;
+    system.unknown[i] = unknown;
+    system.of_b[i] = of_b;
+    system.gap_weight[i].setZero();
+    system.slip_weight[i] = weight;
+    system.separation += weight * vector_at(q, unknown);
+}
+
+/// Adds a place on a facet, which is the particle and the part of the gap at once.
+void add_facet(LocalSystem& system, const Side& side, Unknowns q) {
+    const Skin& skin = side.surfaces.skin(side.surface);
+    const auto weights = facet_weights(skin.kind, side.xi[0], side.xi[1]);
+    const Vec3& normal = system.facing.normal;
+    for (int n = 0; n < skin.nodes_per_facet(); ++n) {
+        const auto unknown = skin.unknown_of(side.facet, n);
+        const double weight = side.sign() * weights.value[static_cast<std::size_t>(n)];
+        add_unknown(system, unknown, weight, side.of_b, q);
+        system.gap_weight[system.count - 1] = weight * normal;
+        system.gap += weight * normal.dot(vector_at(q, unknown));
+    }
+}
+
+/// Adds the material particle of a tube, at the element's own section: unknowns in the order of the
 /// pattern.
-void add_particle(LocalSystem& system, const Tube& tube, double s, const double (&xi)[2], bool of_b,
-                  Unknowns q) {
-    const double sign = of_b ? 1 : -1;
+void add_particle(LocalSystem& system, const Side& side, Unknowns q) {
+    const Tube& tube = side.surfaces.tube(side.surface);
+    const double s = side.s;
     const auto add = [&](std::int64_t unknown, double weight) {
-        const int i = system.count++;
-        system.unknown[i] = unknown;
-        system.of_b[i] = of_b;
-        system.gap_weight[i].setZero();
-        system.slip_weight[i] = sign * weight;
-        system.separation += sign * weight * vector_at(q, unknown);
+        add_unknown(system, unknown, side.sign() * weight, side.of_b, q);
     };
     const Support centre = contact_support(tube, s);
     for (int i = 0; i < centre.count; ++i)
@@ -27,7 +62,8 @@ void add_particle(LocalSystem& system, const Tube& tube, double s, const double 
     const Support section = element_support(tube, s);
     for (int which = 0; which < 2; ++which)
         for (int i = 0; i < section.count; ++i)
-            add(tube.unknown_of(section.node[i]) + 3 * (which + 1), xi[which] * section.weight[i]);
+            add(tube.unknown_of(section.node[i]) + 3 * (which + 1),
+                side.xi[which] * section.weight[i]);
 }
 
 /// Adds a node's share of the half width of a beam's section.
@@ -45,11 +81,13 @@ void add_half_width(LocalSystem& system, const Tube& tube, std::int32_t node, do
     }
 }
 
-/// Adds a side's part of the gap: the centre line at s, where it faces the other side; the half
-/// width at the element's own section, own_s.
-void add_gap(LocalSystem& system, const Tube& tube, double s, double own_s, bool of_b, Unknowns q) {
+/// Adds a tube's part of the gap: the centre line at s, where it faces the other side; the half
+/// width at the element's own section.
+void add_gap(LocalSystem& system, const Side& side, double s, Unknowns q) {
+    const Tube& tube = side.surfaces.tube(side.surface);
+    const bool of_b = side.of_b;
     const Vec3& normal = system.facing.normal;
-    const double sign = of_b ? 1 : -1;
+    const double sign = side.sign();
     const Support centre = contact_support(tube, s);
     for (int i = 0; i < centre.count; ++i) {
         const auto unknown = tube.unknown_of(centre.node[i]);
@@ -60,29 +98,37 @@ void add_gap(LocalSystem& system, const Tube& tube, double s, double own_s, bool
         system.gap -= tube.radius;
         return;
     }
-    const Support section = element_support(tube, own_s);
+    const Support section = element_support(tube, side.s);
     for (int i = 0; i < section.count; ++i)
         add_half_width(system, tube, section.node[i], section.weight[i], of_b, q);
 }
 
-LocalSystem system_at(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q,
+LocalSystem system_at(const DeformableSurfaces& surfaces, const ContactElement& e, Unknowns q,
                       const Facing& where) {
     LocalSystem system;
     system.facing = where;
     system.own_normal = e.normal;
     system.gap = e.allowance;
-    const Tube& a = tubes[e.tube_a];
-    add_particle(system, a, e.s_a, e.xi_a, false, q);
+    const Side a(surfaces, e, false), b(surfaces, e, true);
+    const bool rigid = against_rigid(e);
+    const auto add_side = [&](const Side& side) {
+        if (side.facet >= 0)
+            add_facet(system, side, q);
+        else
+            add_particle(system, side, q);
+    };
+    add_side(a);
     system.count_a = system.count;
-    if (!against_rigid(e))
-        add_particle(system, tubes[e.tube_b], e.s_b, e.xi_b, true, q);
+    if (!rigid)
+        add_side(b);
     system.count_frozen = system.count;
-    add_gap(system, a, where.s_a, e.s_a, false, q);
-    if (against_rigid(e)) {
+    if (a.facet < 0)
+        add_gap(system, a, where.s_a, q);
+    if (rigid) {
         system.gap += e.normal.dot(e.wall);
         system.separation += e.wall;
-    } else {
-        add_gap(system, tubes[e.tube_b], where.s_b, e.s_b, true, q);
+    } else if (b.facet < 0) {
+        add_gap(system, b, where.s_b, q);
     }
     return system;
 }
@@ -105,12 +151,12 @@ int LocalSystem::index_of(std::int64_t number, bool belongs_to_b) {
     return index;
 }
 
-LocalSystem local_system(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q) {
-    return system_at(tubes, e, q, facing(tubes, e, q));
+LocalSystem local_system(const DeformableSurfaces& surfaces, const ContactElement& e, Unknowns q) {
+    return system_at(surfaces, e, q, facing(surfaces, e, q));
 }
 
-LocalSystem frozen_system(const std::vector<Tube>& tubes, const ContactElement& e, Unknowns q) {
-    return system_at(tubes, e, q, {e.s_a, e.s_b, e.normal, 1, 0});
+LocalSystem frozen_system(const DeformableSurfaces& surfaces, const ContactElement& e, Unknowns q) {
+    return system_at(surfaces, e, q, {e.s_a, e.s_b, e.normal, 1, 0});
 }
 
 } // namespace braidx

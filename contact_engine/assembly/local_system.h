@@ -50,10 +50,11 @@ struct LocalSystem {
 };
 
 /// Gap, separation and weights at the unknowns q.
-LocalSystem local_system(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q);
+LocalSystem local_system(const DeformableSurfaces& surfaces, const ContactElement& element,
+                         Unknowns q);
 
 /// Only x_b - x_a of the material particles and the gap at the element's own sections.
-LocalSystem frozen_system(const std::vector<Tube>& tubes, const ContactElement& element,
+LocalSystem frozen_system(const DeformableSurfaces& surfaces, const ContactElement& element,
                           Unknowns q);
 
 } // namespace braidx

@@ -11,9 +11,9 @@ namespace braidx {
 namespace {
 
 /// What happens to one contact element.
-Committed commit(const std::vector<Tube>& tubes, ContactElement& element, Unknowns q,
+Committed commit(const DeformableSurfaces& surfaces, ContactElement& element, Unknowns q,
                  Unknowns q_start, const ContactLaws& laws) {
-    const Reaction r = reaction(tubes, element, q, q_start, laws);
+    const Reaction r = reaction(surfaces, element, q, q_start, laws);
     Committed out{0, std::max(0.0, -r.system.gap)};
     if (!r.acts()) {
         element.slip.setZero();
@@ -28,18 +28,18 @@ Committed commit(const std::vector<Tube>& tubes, ContactElement& element, Unknow
     return out;
 }
 
-std::vector<double> gaps(const std::vector<Tube>& tubes, const ContactElements& elements,
+std::vector<double> gaps(const DeformableSurfaces& surfaces, const ContactElements& elements,
                          Unknowns q, int num_threads) {
     return parallel_map(elements.size(), num_threads,
-                        [&](std::size_t e) { return local_system(tubes, elements[e], q).gap; });
+                        [&](std::size_t e) { return local_system(surfaces, elements[e], q).gap; });
 }
 
 } // namespace
 
-Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
+Committed commit(const DeformableSurfaces& surfaces, ContactElements& elements, Unknowns q,
                  Unknowns q_start, const ContactLaws& laws, int num_threads) {
     const auto each = parallel_map(elements.size(), num_threads, [&](std::size_t e) {
-        return commit(tubes, elements[e], q, q_start, laws);
+        return commit(surfaces, elements[e], q, q_start, laws);
     });
     Committed out;
     for (const auto& one : each) {
@@ -59,9 +59,9 @@ constexpr double soon = 0.6;
 
 } // namespace
 
-int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
+int adapt_stiffness(const DeformableSurfaces& surfaces, ContactElements& elements, Unknowns q,
                     double tolerance, double growth, double elsewhere, int num_threads) {
-    const auto gap = gaps(tubes, elements, q, num_threads);
+    const auto gap = gaps(surfaces, elements, q, num_threads);
     std::unordered_map<std::int32_t, double> deepest;
     for (std::size_t e = 0; e < elements.size(); ++e) {
         auto& d = deepest[elements[e].zone];
@@ -79,19 +79,19 @@ int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, U
     return count(soon * tolerance);
 }
 
-double deepest_penetration(const std::vector<Tube>& tubes, const ContactElements& elements,
+double deepest_penetration(const DeformableSurfaces& surfaces, const ContactElements& elements,
                            Unknowns q, int num_threads) {
     double deepest = 0;
-    for (const double gap : gaps(tubes, elements, q, num_threads))
+    for (const double gap : gaps(surfaces, elements, q, num_threads))
         deepest = std::max(deepest, -gap);
     return deepest;
 }
 
-NormalForces sum_normal_forces(const std::vector<Tube>& tubes, const ContactElements& elements,
+NormalForces sum_normal_forces(const DeformableSurfaces& surfaces, const ContactElements& elements,
                                Unknowns q, Unknowns q_start, const ContactLaws& laws,
                                int num_threads) {
     const auto force = parallel_map(elements.size(), num_threads, [&](std::size_t e) {
-        return reaction(tubes, elements[e], q, q_start, laws).normal_force;
+        return reaction(surfaces, elements[e], q, q_start, laws).normal_force;
     });
     NormalForces out;
     for (std::size_t e = 0; e < elements.size(); ++e) {
@@ -102,11 +102,14 @@ NormalForces sum_normal_forces(const std::vector<Tube>& tubes, const ContactElem
     return out;
 }
 
-double sum_log_stiffness(const ContactElements& elements) {
-    double sum = 0;
+LogStiffness sum_log_stiffness(const ContactElements& elements, bool per_area) {
+    LogStiffness out;
     for (const auto& e : elements)
-        sum += std::log(e.stiffness);
-    return sum;
+        if (is_per_area(e) == per_area) {
+            out.sum += std::log(e.stiffness);
+            ++out.count;
+        }
+    return out;
 }
 
 void scale_stiffness(ContactElements& elements, double factor) {

@@ -11,17 +11,17 @@ struct Committed {
 };
 /// Accepts an increment: contact elements remember their reversible slip, and the work dissipated
 /// grows by R_T . (slip - remembered slip). Elements out of touch forget their slip.
-Committed commit(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
+Committed commit(const DeformableSurfaces& surfaces, ContactElements& elements, Unknowns q,
                  Unknowns q_start, const ContactLaws& laws, int num_threads = 1);
 
 /// Where a proximity zone penetrates deeper than `tolerance` (mm), penalties of all that do, or are
 /// about to, grow so that they will not, by `growth` at most. Returns the number of zones changed.
 /// `elsewhere`: deepest penetration of other processes, which count like one's own.
-int adapt_stiffness(const std::vector<Tube>& tubes, ContactElements& elements, Unknowns q,
+int adapt_stiffness(const DeformableSurfaces& surfaces, ContactElements& elements, Unknowns q,
                     double tolerance, double growth, double elsewhere = 0, int num_threads = 1);
 
 /// Deepest penetration, mm, at least 0.
-double deepest_penetration(const std::vector<Tube>& tubes, const ContactElements& elements,
+double deepest_penetration(const DeformableSurfaces& surfaces, const ContactElements& elements,
                            Unknowns q, int num_threads = 1);
 
 /// Sums of normal forces, N.
@@ -29,12 +29,17 @@ struct NormalForces {
     double rigid = 0; ///< on rigid surfaces
     double all = 0;
 };
-NormalForces sum_normal_forces(const std::vector<Tube>& tubes, const ContactElements& elements,
+NormalForces sum_normal_forces(const DeformableSurfaces& surfaces, const ContactElements& elements,
                                Unknowns q, Unknowns q_start, const ContactLaws& laws,
                                int num_threads = 1);
 
-/// Sum of the logarithms of all penalties: with their number, the geometric mean.
-double sum_log_stiffness(const ContactElements& elements);
+/// Sum of the logarithms of penalties, and their number: the geometric mean.
+struct LogStiffness {
+    double sum = 0;
+    std::int64_t count = 0;
+};
+/// Of all penalties per length, or of all per area.
+LogStiffness sum_log_stiffness(const ContactElements& elements, bool per_area);
 
 /// Multiplies the penalties of all contact elements.
 void scale_stiffness(ContactElements& elements, double factor);

@@ -14,21 +14,24 @@ namespace {
 
 using Keys = std::vector<std::uint64_t>;
 
-/// The finite elements that a contact element stands on: its vector unknowns depend on nothing
-/// else.
+/// The finite elements, or facets, that a contact element stands on: its vector unknowns depend on
+/// nothing else.
 struct Group {
-    std::int32_t tube_a, element_a;
-    std::int32_t tube_b = -1, element_b = 0; ///< -1: rigid surfaces are all alike
+    std::int32_t surface_a, element_a;
+    std::int32_t surface_b = -1, element_b = 0; ///< -1: rigid surfaces are all alike
     auto operator<=>(const Group&) const = default;
 };
 
 /// Group of a contact element whose sections are moved by some elements, within the tubes.
-Group group_of(const std::vector<Tube>& tubes, const ContactElement& e, double by_a = 0,
+Group group_of(const DeformableSurfaces& surfaces, const ContactElement& e, double by_a = 0,
                double by_b = 0) {
-    Group out{e.tube_a, tubes[e.tube_a].element_of(e.s_a + by_a)};
+    const auto element = [&](std::int32_t surface, std::int32_t facet, double s) {
+        return facet >= 0 ? facet : surfaces.tube(surface).element_of(s);
+    };
+    Group out{e.surface_a, element(e.surface_a, e.facet_a, e.s_a + by_a)};
     if (!against_rigid(e)) {
-        out.tube_b = e.tube_b;
-        out.element_b = tubes[e.tube_b].element_of(e.s_b + by_b);
+        out.surface_b = e.surface_b;
+        out.element_b = element(e.surface_b, e.facet_b, e.s_b + by_b);
     }
     return out;
 }
@@ -39,12 +42,12 @@ struct GroupUnknowns {
     int count = 0;
     Rows rows;
 
-    GroupUnknowns(const std::vector<Tube>& tubes, const Group& group) {
-        add_side(tubes[group.tube_a], group.element_a);
+    GroupUnknowns(const DeformableSurfaces& surfaces, const Group& group) {
+        add_side(surfaces, group.surface_a, group.element_a);
         const int count_a = count;
-        if (group.tube_b >= 0)
-            add_side(tubes[group.tube_b], group.element_b);
-        rows = asked_rows(tubes, group.tube_a, group.tube_b, count_a, count);
+        if (group.surface_b >= 0)
+            add_side(surfaces, group.surface_b, group.element_b);
+        rows = asked_rows(surfaces, group.surface_a, group.surface_b, count_a, count);
     }
 
     std::size_t num_blocks() const {
@@ -59,7 +62,19 @@ struct GroupUnknowns {
     }
 
 private:
-    void add_side(const Tube& tube, std::int32_t element) {
+    void add_side(const DeformableSurfaces& surfaces, std::int32_t surface, std::int32_t element) {
+        if (surfaces.is_skin(surface))
+            add_facet(surfaces.skin(surface), element);
+        else
+            add_element(surfaces.tube(surface), element);
+    }
+
+    void add_facet(const Skin& skin, std::int32_t facet) {
+        for (int node = 0; node < skin.nodes_per_facet(); ++node)
+            number[count++] = skin.unknown_of(facet, node);
+    }
+
+    void add_element(const Tube& tube, std::int32_t element) {
         const Support centre = contact_support(tube, element);
         for (int i = 0; i < centre.count; ++i)
             number[count++] = tube.unknown_of(centre.node[i]);
@@ -78,30 +93,31 @@ template <class T> void sort_unique(std::vector<T>& items) {
 }
 
 /// All groups that contact elements belong to, and those within reach of their sections.
-std::vector<Group> groups_within(const std::vector<Tube>& tubes, const ContactElements& elements,
-                                 double reach) {
+std::vector<Group> groups_within(const DeformableSurfaces& surfaces,
+                                 const ContactElements& elements, double reach) {
     std::vector<Group> out;
     const auto add = [&](const Group& group) {
         if (out.empty() || out.back() != group)
             out.push_back(group);
     };
-    for (const auto e : asked_elements(tubes, elements))
-        add(group_of(tubes, elements[e]));
+    for (const auto e : asked_elements(surfaces, elements))
+        add(group_of(surfaces, elements[e]));
     if (reach > 0)
         for (const double by_a : {-reach, reach})
             for (const double by_b : {-reach, reach})
-                for (const auto e : asked_elements(tubes, elements))
-                    add(group_of(tubes, elements[e], by_a, by_b));
+                for (const auto e : asked_elements(surfaces, elements))
+                    add(group_of(surfaces, elements[e], by_a, by_b));
     sort_unique(out);
     return out;
 }
 
 /// Keys of all blocks of groups, ascending.
-Keys keys_of(const std::vector<Tube>& tubes, const std::vector<Group>& groups, int num_threads) {
+Keys keys_of(const DeformableSurfaces& surfaces, const std::vector<Group>& groups,
+             int num_threads) {
     std::vector<Keys> parts(static_cast<std::size_t>(std::max(num_threads, 1)));
     parallel_chunks(groups.size(), num_threads, [&](std::size_t chunk, auto begin, auto end) {
         for (auto g = begin; g < end; ++g)
-            GroupUnknowns(tubes, groups[g]).for_each_block([&](std::uint64_t key) {
+            GroupUnknowns(surfaces, groups[g]).for_each_block([&](std::uint64_t key) {
                 parts[chunk].push_back(key);
             });
         sort_unique(parts[chunk]);
@@ -117,30 +133,30 @@ Keys keys_of(const std::vector<Tube>& tubes, const std::vector<Group>& groups, i
 
 } // namespace
 
-Pattern make_pattern(const std::vector<Tube>& tubes, const ContactElements& elements, double reach,
-                     int num_threads) {
+Pattern make_pattern(const DeformableSurfaces& surfaces, const ContactElements& elements,
+                     double reach, int num_threads) {
     Pattern out;
-    out.key = keys_of(tubes, groups_within(tubes, elements, reach), num_threads);
+    out.key = keys_of(surfaces, groups_within(surfaces, elements, reach), num_threads);
     for (const auto key : out.key) {
         out.row.push_back(3 * static_cast<std::int64_t>(key >> 32));
         out.col.push_back(3 * static_cast<std::int64_t>(key & 0xffffffffu));
     }
-    place(out, tubes, elements, num_threads);
+    place(out, surfaces, elements, num_threads);
     return out;
 }
 
-bool place(Pattern& pattern, const std::vector<Tube>& tubes, const ContactElements& elements,
+bool place(Pattern& pattern, const DeformableSurfaces& surfaces, const ContactElements& elements,
            int num_threads) {
     std::vector<Group> groups;
     std::vector<std::int64_t> begin;
     std::int64_t size = 0;
     pattern.first_slot.assign(elements.size(), -1);
-    for (const auto e : asked_elements(tubes, elements)) {
-        const auto group = group_of(tubes, elements[e]);
+    for (const auto e : asked_elements(surfaces, elements)) {
+        const auto group = group_of(surfaces, elements[e]);
         if (groups.empty() || group != groups.back()) {
             groups.push_back(group);
             begin.push_back(size);
-            size += GroupUnknowns(tubes, group).num_blocks();
+            size += GroupUnknowns(surfaces, group).num_blocks();
         }
         pattern.first_slot[e] = begin.back();
     }
@@ -150,7 +166,7 @@ bool place(Pattern& pattern, const std::vector<Tube>& tubes, const ContactElemen
         for (auto g = first; g < last && complete; ++g) {
             auto* slot = pattern.slot.data() + begin[g];
             auto at = pattern.key.begin();
-            GroupUnknowns(tubes, groups[g]).for_each_block([&](std::uint64_t key) {
+            GroupUnknowns(surfaces, groups[g]).for_each_block([&](std::uint64_t key) {
                 // Nodes of a tube follow each other, and so do their blocks: often it is the next.
                 if (at == pattern.key.end() || ++at == pattern.key.end() || *at != key)
                     at = std::ranges::lower_bound(pattern.key, key);

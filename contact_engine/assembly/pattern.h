@@ -22,12 +22,12 @@ struct Pattern {
 /// With a `reach` (in elements) there are blocks, too, for sections that far away: the pattern will
 /// hold when contact elements have moved a little, and a matrix with its symbolic factorisation can
 /// be kept.
-Pattern make_pattern(const std::vector<Tube>& tubes, const ContactElements& elements,
+Pattern make_pattern(const DeformableSurfaces& surfaces, const ContactElements& elements,
                      double reach = 0, int num_threads = 1);
 
 /// Finds the places of other contact elements in a pattern. Returns false, and leaves it unfit for
 /// use, where it lacks blocks that they need.
-bool place(Pattern& pattern, const std::vector<Tube>& tubes, const ContactElements& elements,
+bool place(Pattern& pattern, const DeformableSurfaces& surfaces, const ContactElements& elements,
            int num_threads = 1);
 
 } // namespace braidx

@@ -2,15 +2,16 @@
 
 namespace braidx {
 
-Reaction reaction(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q,
+Reaction reaction(const DeformableSurfaces& surfaces, const ContactElement& element, Unknowns q,
                   Unknowns q_start, const ContactLaws& laws) {
-    Reaction out{.system = local_system(tubes, element, q), .friction = {0, laws.reversible_slip}};
+    Reaction out{.system = local_system(surfaces, element, q),
+                 .friction = {0, laws.reversible_slip}};
     double gap = out.system.gap;
-    const double mu = laws.coefficient(tubes[element.tube_a].body, element.body_b);
+    const double mu = laws.coefficient(surfaces.body(element.surface_a), element.body_b);
     const bool may_act = gap < 0, needs_start = may_act && (mu > 0 || laws.gap_step >= 0);
     LocalSystem start;
     if (needs_start)
-        start = frozen_system(tubes, element, q_start);
+        start = frozen_system(surfaces, element, q_start);
     if (may_act && laws.gap_step >= 0)
         gap = reduced_gap(gap, start.gap, laws.gap_step);
     const NormalLaw normal_law{element.stiffness * element.weight, laws.regularisation};

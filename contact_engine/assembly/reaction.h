@@ -37,7 +37,7 @@ struct Reaction {
 };
 
 /// Reaction at q; q_start is the configuration at the start of the increment.
-Reaction reaction(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q,
+Reaction reaction(const DeformableSurfaces& surfaces, const ContactElement& element, Unknowns q,
                   Unknowns q_start, const ContactLaws& laws);
 
 } // namespace braidx

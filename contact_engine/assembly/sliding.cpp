@@ -18,9 +18,9 @@ void add_side(const Tube& tube, double s, double sign, const LocalSystem& system
 
 } // namespace
 
-Sliding::Sliding(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q,
+Sliding::Sliding(const DeformableSurfaces& surfaces, const ContactElement& element, Unknowns q,
                  const LocalSystem& system) {
-    const Tube &a = tubes[element.tube_a], &b = tubes[element.tube_b];
+    const Tube &a = surfaces.tube(element.surface_a), &b = surfaces.tube(element.surface_b);
     const Facing& at = system.facing;
     add_side(a, at.s_a, -1, system, centre_, slope_a_);
     add_side(b, at.s_b, 1, system, centre_, slope_b_);

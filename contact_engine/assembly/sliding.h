@@ -11,7 +11,7 @@ namespace braidx {
 /// slides along it.
 class Sliding {
 public:
-    Sliding(const std::vector<Tube>& tubes, const ContactElement& element, Unknowns q,
+    Sliding(const DeformableSurfaces& surfaces, const ContactElement& element, Unknowns q,
             const LocalSystem& system);
 
     /// d2(distance) / dX_i dX_j, times the side.

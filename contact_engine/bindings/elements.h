@@ -2,7 +2,7 @@
 
 #include "../assembly/reaction.h"
 #include "../parallel.h"
-#include "arrays.h"
+#include "surfaces.h"
 
 /// Contact elements as a dictionary of arrays and back, and their results.
 namespace braidx::bindings {
@@ -21,9 +21,11 @@ auto gather(const ContactElements& elements, std::size_t width, const Get& get) 
 inline nb::dict element_arrays(const ContactElements& elements) {
     using E = ContactElement;
     nb::dict out;
-    out["tubes"] = gather<std::int32_t>(elements, 2,
-                                        [](const E& e, auto i) { return i ? e.tube_b : e.tube_a; });
+    out["tubes"] = gather<std::int32_t>(
+        elements, 2, [](const E& e, auto i) { return i ? e.surface_b : e.surface_a; });
     out["s"] = gather<double>(elements, 2, [](const E& e, auto i) { return i ? e.s_b : e.s_a; });
+    out["facet"] = gather<std::int32_t>(
+        elements, 2, [](const E& e, auto i) { return i ? e.facet_b : e.facet_a; });
     out["station"] = gather<std::int64_t>(elements, 1, [](const E& e, auto) { return e.station; });
     out["normal"] = gather<double>(elements, 3, [](const E& e, auto i) { return e.normal[i]; });
     out["weight"] = gather<double>(elements, 1, [](const E& e, auto) { return e.weight; });
@@ -59,11 +61,12 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
     const auto *zone = column<std::int32_t>(arrays, "zone"),
                *body_b = column<std::int32_t>(arrays, "body_b"),
                *follows = column<std::int32_t>(arrays, "follows"),
+               *facet = column<std::int32_t>(arrays, "facet"),
                *crossing = column<std::int32_t>(arrays, "crossing");
     ContactElements out(nb::cast<In<double>>(arrays["weight"]).size());
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = {.tube_a = tubes[2 * i],
-                  .tube_b = tubes[2 * i + 1],
+        out[i] = {.surface_a = tubes[2 * i],
+                  .surface_b = tubes[2 * i + 1],
                   .body_b = body_b[i],
                   .s_a = s[2 * i],
                   .s_b = s[2 * i + 1],
@@ -72,6 +75,8 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
                   .follows = follows[i],
                   .weight = weight[i],
                   .stiffness = stiffness[i],
+                  .facet_a = facet[2 * i],
+                  .facet_b = facet[2 * i + 1],
                   .xi_a = {xi[4 * i], xi[4 * i + 1]},
                   .xi_b = {xi[4 * i + 2], xi[4 * i + 3]},
                   .slip = Eigen::Map<const Vec3>(slip + 3 * i),
@@ -84,7 +89,25 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
     return out;
 }
 
-inline nb::dict contact_results(const std::vector<Tube>& tubes, const ContactElements& elements,
+/// Where an element acts: at the rigid surface, on the skin that a tube lies on, in the middle
+/// between two tubes or two skins.
+inline Vec3 contact_position(const DeformableSurfaces& surfaces, const ContactElement& e,
+                             Unknowns q) {
+    if (against_rigid(e))
+        return e.wall;
+    const auto at = [&](std::int32_t surface, std::int32_t facet, double s, const double(&xi)[2]) {
+        if (facet < 0)
+            return position(surfaces.tube(surface), q, s);
+        const Skin& skin = surfaces.skin(surface);
+        return combined(skin, q, facet, facet_weights(skin.kind, xi[0], xi[1]).value);
+    };
+    const Vec3 b = at(e.surface_b, e.facet_b, e.s_b, e.xi_b);
+    if (e.facet_a < 0 && e.facet_b >= 0)
+        return b;
+    return 0.5 * (at(e.surface_a, e.facet_a, e.s_a, e.xi_a) + b);
+}
+
+inline nb::dict contact_results(const OwnedSurfaces& surfaces, const ContactElements& elements,
                                 const In<double>& q, const In<double>& q_start,
                                 const ContactLaws& laws, int num_threads) {
     struct Result {
@@ -94,11 +117,9 @@ inline nb::dict contact_results(const std::vector<Tube>& tubes, const ContactEle
     const auto n = elements.size();
     const auto results = parallel_map(n, num_threads, [&](std::size_t i) -> Result {
         const auto& e = elements[i];
-        const Reaction r = reaction(tubes, e, view(q), view(q_start), laws);
-        const Vec3 x = against_rigid(e) ? e.wall
-                                        : 0.5 * (position(tubes[e.tube_a], view(q), e.s_a) +
-                                                 position(tubes[e.tube_b], view(q), e.s_b));
-        return {r.system.gap, r.normal_force, r.friction_force, x};
+        const Reaction r = reaction(surfaces, e, view(q), view(q_start), laws);
+        return {r.system.gap, r.normal_force, r.friction_force,
+                contact_position(surfaces, e, view(q))};
     });
     const auto scalar = [&](double Result::* member) {
         return make_array<double>({n}, [&](double* p) {
@@ -113,6 +134,10 @@ inline nb::dict contact_results(const std::vector<Tube>& tubes, const ContactEle
         });
     };
     nb::dict out;
+    out["per_area"] = make_array<bool>({n}, [&](bool* p) {
+        for (const auto& e : elements)
+            *p++ = is_per_area(e);
+    });
     out["gap"] = scalar(&Result::gap);
     out["normal_force"] = scalar(&Result::normal_force);
     out["friction_force"] = vector(&Result::friction_force);

@@ -10,9 +10,9 @@ namespace braidx {
 /// that it knows stays as it is, so that threads may use it together.
 class Builder {
 public:
-    Builder(const std::vector<Tube>& tubes, Unknowns q, const ContactElements& previous,
+    Builder(const DeformableSurfaces& surfaces, Unknowns q, const ContactElements& previous,
             const PairingOptions& options)
-        : tubes_(tubes), q_(q), options_(options), history_(previous, tubes) {}
+        : surfaces_(surfaces), q_(q), options_(options), history_(previous, surfaces) {}
 
     ContactElements zone(const ProximityZone& zone, const std::vector<Station>& stations) const;
 
@@ -22,6 +22,9 @@ public:
     ContactElements crossing(const Crossing& crossing, std::int32_t number,
                              const std::vector<OrientedStation>& stations) const;
 
+    /// Elements of one zone with their memory, the surface particles of beams, and one penalty.
+    ContactElements finished(ContactElements elements) const;
+
     const History& history() const { return history_; }
 
 private:
@@ -29,7 +32,7 @@ private:
     Vec3 centre_to_centre(std::int32_t a, std::int32_t b, const Station& s) const;
     void share_stiffness(ContactElements& elements) const;
 
-    const std::vector<Tube>& tubes_;
+    DeformableSurfaces surfaces_;
     Unknowns q_;
     const PairingOptions& options_;
     History history_;

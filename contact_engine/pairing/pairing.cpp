@@ -2,6 +2,8 @@
 
 #include "../parallel.h"
 #include "builder.h"
+#include "rules.h"
+#include "skin_builder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +29,8 @@ CrossingStations own_crossings(const Surfaces& surfaces, Unknowns q,
     const auto& crossings = surfaces.crossings;
     return parallel_map(crossings.size(), options.num_threads, [&](std::size_t i) {
         const auto& c = crossings[i];
-        if (!is_own(options, c.tube_a, c.tube_b))
+        if (!is_own(options, c.tube_a, c.tube_b) ||
+            !may_touch(options, surfaces.tubes, c.tube_a, c.tube_b))
             return std::vector<OrientedStation>{};
         return crossing_stations(surfaces.tubes, q, c, options.spacing, options.crossing);
     });
@@ -145,7 +148,8 @@ Parts zone_parts(const Builder& builder, const Tubes& tubes, Unknowns q,
         proximity_zones(tubes, q, close_pairs(tubes, q, options.search, options.num_threads));
     return parallel_map(zones.size(), options.num_threads, [&](std::size_t i) {
         const auto& zone = zones[i];
-        if (!is_own(options, zone.tube_a, zone.tube_b))
+        if (!is_own(options, zone.tube_a, zone.tube_b) ||
+            !may_touch(options, tubes, zone.tube_a, zone.tube_b))
             return ContactElements{};
         return builder.zone(zone,
                             zone_stations(tubes, q, zone, builder.history(), unseparated, options));
@@ -158,7 +162,8 @@ Parts wall_parts(const Builder& builder, const Surfaces& surfaces, const Pairing
     return parallel_map(num_pairs, options.num_threads, [&](std::size_t i) {
         const auto rigid = static_cast<std::int32_t>(i / num_tubes),
                    tube = static_cast<std::int32_t>(i % num_tubes);
-        if (!is_own(options, tube, rigid))
+        if (!is_own(options, tube, rigid) ||
+            !may_touch(options, surfaces.tubes[tube].body, surfaces.rigid[rigid].body))
             return ContactElements{};
         return builder.wall(tube, surfaces.rigid[rigid], rigid);
     });
@@ -182,21 +187,22 @@ ContactElements joined(std::initializer_list<const Parts*> all) {
 
 } // namespace
 
-bool is_own(const PairingOptions& options, std::int64_t tube, std::int64_t other) {
-    return (tube * 7919 + other) % options.num_parts == options.part;
+bool is_own(const PairingOptions& options, std::int64_t surface, std::int64_t other) {
+    return (surface * 7919 + other) % options.num_parts == options.part;
 }
 
 ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
                                       const ContactElements& previous,
                                       const PairingOptions& options) {
-    const Builder builder(surfaces.tubes, q, previous, options);
+    const Builder builder(surfaces.deformable(), q, previous, options);
     const auto stations = own_crossings(surfaces, q, options);
     const auto crossings =
         crossing_parts(builder, surfaces.crossings, stations, options.num_threads);
     const auto unseparated = unseparated_crossings(surfaces.crossings, stations);
     const auto zones = zone_parts(builder, surfaces.tubes, q, unseparated, options);
     const auto walls = wall_parts(builder, surfaces, options);
-    return joined({&crossings, &zones, &walls});
+    const auto skins = skin_parts(surfaces, q, builder, options);
+    return joined({&crossings, &zones, &walls, &skins});
 }
 
 } // namespace braidx

@@ -13,13 +13,16 @@ struct PairingOptions {
     double spacing = 1.0; ///< of line stations, mm
     double point_tolerance =
         0.005; ///< approach that line stations may miss before a point station is added, mm
-    bool keep_points = false; ///< point stations are those of before, with their weights
-    double stiffness = 1000;  ///< first penalty per length of a new zone, N/mm per mm
+    bool keep_points = false;     ///< point stations are those of before, with their weights
+    double stiffness = 1000;      ///< first penalty per length of a new zone, N/mm per mm
+    double area_stiffness = 1000; ///< the same per area, for contact points of skins, N/mm per mm^2
     bool keep_side =
         true;     ///< tubes never pass through each other; off while a shape is being found
     int part = 0; ///< this process makes the pairs of tubes of one part
     int num_parts = 1;
     int num_threads = 1; ///< the contact elements are the same for any number
+    int num_bodies = 1;
+    std::vector<int> may_touch; ///< of body a and body b, num_bodies x num_bodies; empty: all may
 };
 
 /// Everything that may touch.
@@ -27,11 +30,14 @@ struct Surfaces {
     std::vector<Tube> tubes;
     std::vector<Crossing> crossings; ///< of tubes, with prescribed stacking order
     std::vector<Rigid> rigid;
+    std::vector<Skin> skins = {};
+
+    DeformableSurfaces deformable() const { return {tubes, skins}; }
 };
 
-/// Whether pairs of a tube with a tube, or with a rigid surface of this number, are this process's
-/// own.
-bool is_own(const PairingOptions& options, std::int64_t tube, std::int64_t other);
+/// Whether pairs of a tube or skin with another, or with a rigid surface of this number, are this
+/// process's own. Of two skins the one with the lower number comes first, whichever is a.
+bool is_own(const PairingOptions& options, std::int64_t surface, std::int64_t other);
 
 /// Contact elements for the current configuration. Those of `previous` hand on slip, work, penalty
 /// and the side.

@@ -26,6 +26,7 @@ struct Tube {
     bool is_image = false;   ///< its equilibrium repeats that of another tube, by symmetry: nobody
                              ///< asks for the rows of its unknowns in residual and tangent
     std::int32_t beyond = 0; ///< elements past either end, for contact across the ends of a sample
+    int group = -1; ///< surfaces of one group, from 0, are never paired: pieces of one yarn
 
     bool is_polygon() const { return degree == 1 && !smooth; }
     bool is_periodic() const { return beyond > 0; }

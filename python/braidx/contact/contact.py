@@ -1,4 +1,4 @@
-"""Contact between curves as a term of the global system."""
+"""Contact between curves, solids and rigid surfaces as a term of the global system."""
 
 from __future__ import annotations
 
@@ -10,21 +10,26 @@ import scipy.sparse as sp
 from mpi4py import MPI
 
 from ..system.terms import Floats, Ints
+from .skins import SkinLayout, engine_skins
 from .tubes import TubeLayout, engine_tubes, no_crossings, nodes_beyond
 
 
 class Contact:
-    """Contact elements between tubes and their forces.
+    """Contact elements between tubes, skins of solids and rigid surfaces, and their forces.
+
+    Surfaces are numbered together: tubes first, then skins.
 
     Residual and tangent leave out what acts between images only: nobody asks for their rows.
 
     Attributes:
         layout: The tubes.
+        skins: The skins of solids, or None.
+        surfaces: Both (engine object).
         beyond: What is seen past their ends in a periodic sample, or None.
         elements: The current contact elements (engine object).
         laws: Laws of contact (engine object): regularisation, reversible slip, gap step, friction.
         pairing: How contact elements are made (engine object).
-        min_radius: Radius of the thinnest tube, mm.
+        min_radius: Radius of the thinnest tube or skin, mm.
         symmetrised: Whether the tangent of friction is made symmetric.
         start: Unknowns at the start of the increment, shape (num_unknowns,).
         reach: Elements that sections may move before the tangent needs a new pattern.
@@ -40,11 +45,19 @@ class Contact:
         smooth: bool,
         symmetric: bool,
         num_threads: int = 1,
+        skins: SkinLayout | None = None,
+        rest: Floats | None = None,
     ) -> None:
+        if skins is not None and layout.beyond:
+            raise ValueError(
+                f"layout.beyond = {layout.beyond}: periodic samples cannot have skins; give no skins, or 0"
+            )
         self.beyond = nodes_beyond(layout)
         self.tubes = engine_tubes(layout, smooth, self.beyond)
-        self.comm, self.layout = comm, layout
-        self.min_radius = float(layout.radius.min())
+        self.surfaces = engine.make_surfaces(self.tubes, engine_skins(skins, rest))
+        self.comm, self.layout, self.skins = comm, layout, skins
+        radii = [layout.radius] if skins is None else [layout.radius, skins.radius]
+        self.min_radius = float(np.concatenate(radii).min())
         self.crossings = crossings if crossings is not None else no_crossings()
         self.symmetrised = symmetric
         self.rigid: list[Any] = []
@@ -68,16 +81,20 @@ class Contact:
     def update(self, q: Floats) -> None:
         """Makes contact elements anew at the unknowns q; memory is carried over."""
         self.elements = engine.make_contact_elements(
-            self.tubes, self.crossings, self.rigid, self._seen(q), self.elements, self.pairing
+            self.surfaces, self.crossings, self.rigid, self._seen(q), self.elements, self.pairing
         )
         self._lay_out()
 
     def adopt_stiffness(self) -> None:
-        """New zones will start with the penalty that is usual by now: the geometric mean of all processes."""
-        logs, count = engine.sum_log_stiffness(self.elements), len(self.elements)
-        logs, count = self.comm.allreduce(logs), self.comm.allreduce(count)
-        if count:
-            self.pairing.stiffness = float(np.exp(logs / count))
+        """New zones will start with the penalty that is usual by now: the geometric mean of all processes.
+
+        Penalties per length and per area have a mean of their own.
+        """
+        for name, per_area in (("stiffness", False), ("area_stiffness", True)):
+            sums = np.array(engine.sum_log_stiffness(self.elements, per_area))
+            logs, count = self.comm.allreduce(sums)
+            if count:
+                setattr(self.pairing, name, float(np.exp(logs / count)))
 
     def forget_pattern(self) -> None:
         """Makes the next update lay out the tangent anew: a resumed run then orders unknowns like one that went on."""
@@ -117,7 +134,7 @@ class Contact:
         ):  # whether zones near the tolerance are raised, too, is decided together
             deepest = self.deepest_penetration(q)
         changed = engine.adapt_stiffness(
-            self.tubes,
+            self.surfaces,
             self.elements,
             self._seen(q),
             tolerance,
@@ -130,7 +147,7 @@ class Contact:
     def deepest_penetration(self, q: Floats) -> float:
         """Of all processes, mm, at least 0."""
         seen = self._seen(q)
-        deepest = engine.deepest_penetration(self.tubes, self.elements, seen, self.num_threads)
+        deepest = engine.deepest_penetration(self.surfaces, self.elements, seen, self.num_threads)
         return self.comm.allreduce(deepest, op=MPI.MAX)
 
     def rigid_share(self, q: Floats) -> float:
@@ -147,7 +164,13 @@ class Contact:
     def restore_arrays(self, arrays: dict[str, np.ndarray]) -> None:
         """Takes contact elements with their memory from arrays; each process keeps the pairs that are its own."""
         a, b = arrays["tubes"].astype(np.int64).T
-        own = engine.is_own(self.pairing, a, np.where(b < 0, -1 - b, b))
+        no_facets = np.full(
+            (a.size, 2), -1, np.int32
+        )  # states saved before solids could touch know none
+        arrays = {"facet": no_facets, **arrays}
+        swapped = np.all(arrays["facet"] >= 0, axis=1) & (b < a)
+        first, second = np.where(swapped, (b, a), (a, b))
+        own = engine.is_own(self.pairing, first, np.where(second < 0, -1 - second, second))
         self.restore(
             engine.ContactElements.from_arrays({name: part[own] for name, part in arrays.items()})
         )
@@ -168,7 +191,11 @@ class Contact:
         return list(dict.fromkeys((a, b) for gap, a, b in ranked if gap < 0))[:count]
 
     def results(self, q: Floats) -> dict[str, np.ndarray]:
-        """Results per contact element of this process: gap, normal_force, friction_force, position, normal..."""
+        """Results per contact element of this process: gap, normal_force, friction_force, position, normal...
+
+        Where `per_area` is True, `weight` is an area (mm^2), and normal_force / weight a pressure (MPa); elsewhere it
+        is a length (mm), and the ratio a force per length.
+        """
         forces = engine.contact_results(*self._at(q), self.num_threads)
         return {**self.elements.arrays(), **forces}
 
@@ -186,7 +213,7 @@ class Contact:
         seen, start = self._seen(self._q), self._seen(self.start)
         forces = np.zeros_like(seen) if self.beyond else residual
         engine.add_residual(
-            self.tubes, self.elements, seen, start, self.laws, forces, self.num_threads
+            self.surfaces, self.elements, seen, start, self.laws, forces, self.num_threads
         )
         if self.beyond:
             self.beyond.give_back(forces, residual)
@@ -204,7 +231,7 @@ class Contact:
         """See Term."""
         values = np.zeros(len(self._rows))
         engine.add_tangent(
-            self.tubes,
+            self.surfaces,
             self.elements,
             self._pattern,
             self._seen(self._q),
@@ -222,16 +249,18 @@ class Contact:
 
     def _at(self, q: Floats) -> tuple[Any, Any, Floats, Floats, Any]:
         """What the engine asks for to tell forces at q."""
-        return self.tubes, self.elements, self._seen(q), self._seen(self.start), self.laws
+        return self.surfaces, self.elements, self._seen(q), self._seen(self.start), self.laws
 
     def _lay_out(self) -> None:
         """Finds the contact elements' places in the tangent, in a new pattern where the last one lacks some."""
         if self._pattern is not None and engine.place(
-            self._pattern, self.tubes, self.elements, self.num_threads
+            self._pattern, self.surfaces, self.elements, self.num_threads
         ):
             return
         self.pattern_version += 1
-        self._pattern = engine.make_pattern(self.tubes, self.elements, self.reach, self.num_threads)
+        self._pattern = engine.make_pattern(
+            self.surfaces, self.elements, self.reach, self.num_threads
+        )
         within = np.arange(3)
         row, col = self._pattern.blocks()
         shape = (len(row), 3, 3)

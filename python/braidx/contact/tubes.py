@@ -23,6 +23,8 @@ class TubeLayout:
         radius, element_length: mm, shape (num_tubes,).
         body: Number of the body, for friction per pair of bodies, shape (num_tubes,).
         beyond: Elements that tubes go on for past either end, as they do at the other end (periodic samples).
+        group: Tubes and skins of one group, from 0, never touch, a tube itself excepted; -1: no group. Shape
+            (num_tubes,); None: no groups.
         is_image: Whether the equilibrium of a tube repeats another's by symmetry, shape (num_tubes,); None: nowhere.
     """
 
@@ -35,6 +37,7 @@ class TubeLayout:
     body: Ints
     beyond: int = 0
     is_image: npt.NDArray[np.bool_] | None = None
+    group: Ints | None = None
 
 
 def nodes_beyond(layout: TubeLayout) -> Beyond | None:
@@ -61,6 +64,7 @@ def engine_tubes(layout: TubeLayout, smooth: bool, beyond: Beyond | None = None)
         is_image=is_image,
         smooth=smooth,
         beyond=layout.beyond,
+        group=[] if layout.group is None else [int(g) for g in layout.group],
         **int32,
     )
 

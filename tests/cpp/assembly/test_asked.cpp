@@ -58,8 +58,8 @@ TEST_CASE("contact elements between images are left out, and rows of images", "[
         std::vector<std::size_t> expected;
         for (std::size_t e = 0; e < some.elements.size(); ++e) {
             const auto& element = some.elements[e];
-            const bool of_a = !tubes[element.tube_a].is_image;
-            const bool of_b = element.tube_b >= 0 && !tubes[element.tube_b].is_image;
+            const bool of_a = !tubes[element.surface_a].is_image;
+            const bool of_b = element.surface_b >= 0 && !tubes[element.surface_b].is_image;
             if (of_a || of_b)
                 expected.push_back(e);
             CHECK((pattern.first_slot.at(e) >= 0) == (of_a || of_b));

@@ -82,7 +82,7 @@ TEST_CASE("gap of round sections is the distance less the radii", "[local_system
         rods.add_straight(kind, 4, 1.0, {0, 0, 0}, {0, 0, 8});
         rods.add_straight(kind, 5, 0.8, {1.5, -3, 4}, {1.5, 3, 4});
         ContactElement e{};
-        e.tube_b = 1;
+        e.surface_b = 1;
         e.s_a = 2;
         e.s_b = 2.5;
         e.normal = Vec3::UnitX();
@@ -128,7 +128,7 @@ TEST_CASE("sections that spin against each other keep their half width", "[local
         Eigen::Map<Vec3>(rods.q.data() + first + 6) = Vec3(-std::sin(i), std::cos(i), 0);
     }
     ContactElement e{};
-    e.tube_b = 1;
+    e.surface_b = 1;
     e.s_a = 1.4;
     e.s_b = 2.5;
     e.normal = Vec3::UnitX();

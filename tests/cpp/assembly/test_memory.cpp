@@ -17,7 +17,7 @@ Contact pressed_pair() {
     out.rods.add_straight(cable, 1, 1.0, {0, 0, -2}, {0, 0, 2});
     out.rods.add_straight(cable, 1, 1.0, {1.98, -2, 0}, {1.98, 2, 0});
     ContactElement e{};
-    e.tube_b = 1;
+    e.surface_b = 1;
     e.body_b = 1;
     e.s_a = e.s_b = 0.5;
     e.normal = Vec3::UnitX();
@@ -175,7 +175,7 @@ TEST_CASE("normal forces add up, those on rigid surfaces by themselves", "[memor
     for (const auto& e : contact.elements) {
         const auto r = reaction(contact.rods.tubes, e, contact.rods.q, contact.start, contact.laws);
         all += r.normal_force;
-        rigid += e.tube_b < 0 ? r.normal_force : 0;
+        rigid += e.surface_b < 0 ? r.normal_force : 0;
     }
     const auto sums = sum_normal_forces(contact.rods.tubes, contact.elements, contact.rods.q,
                                         contact.start, contact.laws);

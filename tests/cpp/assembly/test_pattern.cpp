@@ -65,7 +65,7 @@ TEST_CASE("a pattern with reach has a place for sections that moved less", "[pat
     auto contact = mixed_contacts();
     auto pattern = make_pattern(contact.rods.tubes, contact.elements, 0.3);
     for (auto& e : contact.elements) {
-        e.s_a = std::clamp(e.s_a + 0.25, 0.0, double(contact.rods.tubes[e.tube_a].num_elements));
+        e.s_a = std::clamp(e.s_a + 0.25, 0.0, double(contact.rods.tubes[e.surface_a].num_elements));
         if (!against_rigid(e))
             e.s_b = std::max(e.s_b - 0.25, 0.0);
     }
@@ -88,7 +88,7 @@ TEST_CASE("a pattern tells when it lacks a block", "[pattern]") {
     auto& e = contact.elements[0];
     e.s_a = 0.5;
     auto pattern = make_pattern(contact.rods.tubes, contact.elements, 0.3);
-    e.s_a = contact.rods.tubes[e.tube_a].num_elements - 0.5;
+    e.s_a = contact.rods.tubes[e.surface_a].num_elements - 0.5;
     CHECK_FALSE(place(pattern, contact.rods.tubes, contact.elements));
 }
 

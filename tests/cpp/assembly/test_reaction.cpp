@@ -13,7 +13,7 @@ Contact one_contact(double gap, double mu) {
     out.rods.add_straight(cable, 1, 1.0, {0, 0, 0}, {0, 0, 4});
     out.rods.add_straight(cable, 1, 0.5, {1.5 + gap, 0, 0}, {1.5 + gap, 0, 4});
     ContactElement e{};
-    e.tube_b = 1;
+    e.surface_b = 1;
     e.body_b = 1;
     e.s_a = e.s_b = 0.5;
     e.normal = Vec3::UnitX();
@@ -82,7 +82,7 @@ TEST_CASE("gap reduction limits the force to that of one step", "[reaction]") {
 TEST_CASE("a moving wall drags", "[reaction]") {
     auto contact = one_contact(0, 0.2);
     auto& e = contact.elements[0];
-    e.tube_b = -1;
+    e.surface_b = -1;
     e.normal = -Vec3::UnitX();
     e.wall = Vec3(-0.98, 0, 2);
     e.wall_start = e.wall - Vec3(0, 0.004, 0);

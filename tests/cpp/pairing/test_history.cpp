@@ -11,8 +11,8 @@ namespace {
 
 ContactElement element_at(double s_a, double s_b, std::int64_t station, const Vec3& normal) {
     ContactElement e{};
-    e.tube_a = 0;
-    e.tube_b = 1;
+    e.surface_a = 0;
+    e.surface_b = 1;
     e.s_a = s_a;
     e.s_b = s_b;
     e.station = station;
@@ -36,7 +36,7 @@ TEST_CASE("the predecessor is the nearest of the same tubes and station", "[hist
     old.push_back(element_at(3.0, 3.0, 5, Vec3::UnitX()));
     old.push_back(element_at(3.1, 3.0, 6, Vec3::UnitX()));
     old.push_back(element_at(3.1, 3.0, 5, Vec3::UnitX()));
-    old.back().tube_b = 2;
+    old.back().surface_b = 2;
     const History history(old, rods.tubes);
     CHECK(history.predecessor(element_at(3.1, 3.0, 5, Vec3::UnitX()), 1.0) == &old[1]);
     CHECK(history.predecessor(element_at(2.2, 2.0, 5, Vec3::UnitX()), 1.0) == &old[0]);
@@ -57,11 +57,11 @@ TEST_CASE("walls keep to themselves", "[history]") {
     ContactElements old;
     for (const int wall : {0, 1}) {
         old.push_back(element_at(2, 0, 4, Vec3::UnitX()));
-        old.back().tube_b = -1 - wall;
+        old.back().surface_b = -1 - wall;
     }
     const History history(old, rods.tubes);
     auto element = element_at(2, 0, 4, Vec3::UnitX());
-    element.tube_b = -2;
+    element.surface_b = -2;
     CHECK(history.predecessor(element, 1.0) == &old[1]);
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("a stacking order and a wall overrule the remembered side", "[history]
     inherit(ordered, old, true);
     CHECK(ordered.normal == -Vec3::UnitX());
     auto wall = element_at(2, 2, 5, -Vec3::UnitX());
-    wall.tube_b = -1;
+    wall.surface_b = -1;
     inherit(wall, old, true);
     CHECK(wall.normal == -Vec3::UnitX());
 }

@@ -22,7 +22,7 @@ Rods raft(const Kind& kind) {
 }
 
 auto identity(const ContactElement& e) {
-    return std::tuple(e.tube_a, e.tube_b, e.station, e.s_a, e.s_b);
+    return std::tuple(e.surface_a, e.surface_b, e.station, e.s_a, e.s_b);
 }
 
 auto all_of(const ContactElement& e) {
@@ -41,13 +41,13 @@ TEST_CASE("normals are unit, from a to b, through the centres", "[pairing]") {
         const auto elements = make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, {});
         std::set<std::pair<int, int>> met;
         for (const auto& e : elements) {
-            const Vec3 d = position(rods.tubes[e.tube_b], rods.q, e.s_b) -
-                           position(rods.tubes[e.tube_a], rods.q, e.s_a);
+            const Vec3 d = position(rods.tubes[e.surface_b], rods.q, e.s_b) -
+                           position(rods.tubes[e.surface_a], rods.q, e.s_a);
             CHECK((e.normal - d.normalized()).norm() < 1e-12);
-            CHECK(e.body_b == rods.tubes[e.tube_b].body);
+            CHECK(e.body_b == rods.tubes[e.surface_b].body);
             CHECK(e.weight > 0);
             CHECK(e.slip.norm() == 0);
-            met.emplace(e.tube_a, e.tube_b);
+            met.emplace(e.surface_a, e.surface_b);
         }
         CHECK(met == std::set<std::pair<int, int>>{{0, 1}, {1, 2}, {0, 3}, {1, 3}, {2, 3}});
     }
@@ -61,8 +61,8 @@ TEST_CASE("surface particles of beams face each other", "[pairing]") {
             return xi[0] * director(tube, rods.q, section, 1) +
                    xi[1] * director(tube, rods.q, section, 2);
         };
-        const Vec3 a = particle(rods.tubes[e.tube_a], e.s_a, e.xi_a);
-        const Vec3 b = particle(rods.tubes[e.tube_b], e.s_b, e.xi_b);
+        const Vec3 a = particle(rods.tubes[e.surface_a], e.s_a, e.xi_a);
+        const Vec3 b = particle(rods.tubes[e.surface_b], e.s_b, e.xi_b);
         CHECK(std::abs(a.norm() - 1) < 1e-12);
         CHECK(a.dot(e.normal) > 0.9);
         CHECK(b.dot(e.normal) < -0.9);

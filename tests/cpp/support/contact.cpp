@@ -9,7 +9,7 @@ ContactElement random_element(Random& random, const std::vector<Tube>& tubes, Un
     const Tube& a = tubes.front();
     const Tube& b = tubes.back();
     ContactElement e{};
-    e.tube_b = wall ? -1 : 1;
+    e.surface_b = wall ? -1 : 1;
     e.body_b = 1;
     e.s_a = random.uniform(0, a.num_elements);
     e.s_b = wall ? 0 : random.uniform(0, b.num_elements);
@@ -127,9 +127,9 @@ Contact mixed_contacts() {
     const auto between = out.elements;
     for (const auto& e : between) {
         auto with_third = e, with_wall = e, with_itself = e;
-        with_third.tube_b = 2;
-        with_wall.tube_b = -1;
-        with_itself.tube_a = with_itself.tube_b = 2; // sections that share nodes
+        with_third.surface_b = 2;
+        with_wall.surface_b = -1;
+        with_itself.surface_a = with_itself.surface_b = 2; // sections that share nodes
         with_itself.s_b = with_itself.s_a + 1;
         for (const auto& more : {with_third, with_wall, with_itself})
             out.elements.push_back(more);

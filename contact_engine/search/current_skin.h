@@ -1,0 +1,109 @@
+#pragma once
+
+#include "../surfaces/facet_projection.h"
+
+#include <limits>
+#include <optional>
+#include <unordered_map>
+
+namespace braidx {
+
+/// A place on a skin that is near a point x.
+struct SkinPlace {
+    FacetPoint at;
+    Vec3 position;
+    Vec3 normal;                                         ///< smooth, out of the solid
+    Vec3 offset;                                         ///< x - position
+    double height() const { return offset.dot(normal); } ///< negative: x is inside
+};
+
+/// Box with sides along the axes.
+struct Box {
+    Vec3 low, high;
+    double distance_to(const Vec3& x) const {
+        return (low - x).cwiseMax(x - high).cwiseMax(0.0).norm();
+    }
+};
+
+/// A skin as it is now: normals, boxes of its facets, contact points. Finds its places within
+/// `reach` (mm) of points.
+class CurrentSkin {
+public:
+    CurrentSkin(const Skin& skin, Unknowns q, double reach);
+
+    /// A contact point of the skin, and its smooth normal.
+    struct Point {
+        FacetPoint at;
+        Vec3 position, normal;
+    };
+    Point point(std::int64_t number) const;
+
+    const Skin& skin() const { return *skin_; }
+    const Box& box() const { return box_; } ///< of all facets
+
+    /// The place nearest to x on those facets where accept(place) holds; among equally near ones,
+    /// at an edge, that on the facet which x is most in front of.
+    template <class Accept>
+    std::optional<SkinPlace> closest(const Vec3& x, const Accept& accept) const {
+        const auto cell = cells_.find(cell_of(x));
+        return cell == cells_.end() ? std::nullopt : closest_among(cell->second, x, accept);
+    }
+
+    /// The same by testing every facet: the oracle of the tests.
+    template <class Accept>
+    std::optional<SkinPlace> closest_brute_force(const Vec3& x, const Accept& accept) const {
+        std::vector<std::int32_t> all;
+        for (std::int32_t facet = 0; facet < skin_->num_facets(); ++facet)
+            all.push_back(facet);
+        return closest_among(all, x, accept);
+    }
+
+private:
+    struct Cell {
+        std::int64_t x, y, z;
+        bool operator==(const Cell&) const = default;
+    };
+    struct CellHash {
+        std::size_t operator()(const Cell& c) const {
+            return static_cast<std::size_t>(c.x * 73856093 ^ c.y * 19349663 ^ c.z * 83492791);
+        }
+    };
+
+    Cell cell_of(const Vec3& x) const;
+    Box box_of(std::int32_t facet) const;
+    void fill_cells();
+    SkinPlace place(std::int32_t facet, const Vec3& x) const;
+
+    template <class Accept>
+    std::optional<SkinPlace> closest_among(const std::vector<std::int32_t>& facets, const Vec3& x,
+                                           const Accept& accept) const {
+        std::optional<SkinPlace> best;
+        double nearest = reach_;
+        for (const auto facet : facets) {
+            const double same = 1e-9 * size_;
+            if (boxes_[static_cast<std::size_t>(facet)].distance_to(x) > nearest + same)
+                continue;
+            const auto found = place(facet, x);
+            const double distance = found.offset.norm();
+            if (distance > nearest + same || !accept(found))
+                continue;
+            if (best && distance > nearest - same &&
+                std::abs(found.height()) <= std::abs(best->height()))
+                continue;
+            best = found;
+            nearest = std::min(nearest, distance);
+        }
+        return best;
+    }
+
+    const Skin* skin_;
+    Unknowns q_;
+    double reach_;
+    double size_ = 1; ///< of the cells of the grid, mm
+    std::vector<Vec3> nodal_;
+    std::vector<Box> boxes_;
+    Box box_;
+    std::unordered_map<Cell, std::vector<std::int32_t>, CellHash> cells_;
+};
+
+} // namespace braidx

@@ -1,0 +1,128 @@
+#include "skin.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+
+namespace braidx {
+namespace {
+
+constexpr double cos_smooth = 0.6428; // of 50 degrees
+
+/// Weights at the nodes of the reference facet.
+std::vector<FacetWeights> weights_at_nodes(FacetKind kind) {
+    std::vector<FacetWeights> out;
+    for (int node = 0; node < num_facet_nodes(kind); ++node) {
+        const auto [u, v] = facet_node(kind, node);
+        out.push_back(facet_weights(kind, u, v));
+    }
+    return out;
+}
+
+/// Outward area vectors of all facets at all of their nodes.
+std::vector<Vec3> areas_at_nodes(const Skin& skin, Unknowns q) {
+    const auto weights = weights_at_nodes(skin.kind);
+    std::vector<Vec3> out;
+    out.reserve(skin.unknown.size());
+    for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet)
+        for (const auto& at : weights)
+            out.push_back(facet_geometry(skin, q, facet, at).area());
+    return out;
+}
+
+/// Gives one number to the nodes of facets that lie smoothly side by side at one place, directly or
+/// by way of others.
+void share_normals(Skin& skin, const std::vector<Vec3>& area) {
+    std::vector<std::size_t> order(skin.unknown.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return skin.unknown[i]; });
+    skin.normal_of.assign(skin.unknown.size(), -1);
+    const auto spread = [&](auto&& self, std::size_t i,
+                            std::span<const std::size_t> place) -> void {
+        for (const auto j : place)
+            if (skin.normal_of[j] < 0 &&
+                area[i].dot(area[j]) > cos_smooth * area[i].norm() * area[j].norm()) {
+                skin.normal_of[j] = skin.normal_of[i];
+                self(self, j, place);
+            }
+    };
+    for (auto first = order.begin(); first != order.end();) {
+        const auto last = std::find_if(first, order.end(), [&](std::size_t i) {
+            return skin.unknown[i] != skin.unknown[*first];
+        });
+        for (const auto i : std::span(first, last))
+            if (skin.normal_of[i] < 0) {
+                skin.normal_of[i] = skin.num_normals++;
+                spread(spread, i, std::span(first, last));
+            }
+        first = last;
+    }
+}
+
+} // namespace
+
+FacetPoint contact_point(const Skin& skin, std::int64_t number) {
+    const auto per_facet = skin.points_per_facet();
+    const auto& at = facet_quadrature(skin.kind)[static_cast<std::size_t>(number % per_facet)];
+    return {static_cast<std::int32_t>(number / per_facet), at.u, at.v};
+}
+
+Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
+               int group, Unknowns rest) {
+    Skin out;
+    out.kind = kind;
+    out.unknown = std::move(unknown);
+    out.body = body;
+    out.radius = radius;
+    out.group = group;
+    for (std::int32_t facet = 0; facet < out.num_facets(); ++facet)
+        for (const auto& p : facet_quadrature(kind)) {
+            const auto at = facet_geometry(out, rest, facet, facet_weights(kind, p.u, p.v));
+            out.area.push_back(p.weight * at.area().norm());
+        }
+    share_normals(out, areas_at_nodes(out, rest));
+    return out;
+}
+
+Vec3 combined(const Skin& skin, Unknowns q, std::int32_t facet,
+              const FacetWeights::Values& weights) {
+    Vec3 out = Vec3::Zero();
+    for (int n = 0; n < skin.nodes_per_facet(); ++n)
+        out += weights[static_cast<std::size_t>(n)] * vector_at(q, skin.unknown_of(facet, n));
+    return out;
+}
+
+FacetGeometry facet_geometry(const Skin& skin, Unknowns q, std::int32_t facet,
+                             const FacetWeights& weights) {
+    FacetGeometry out{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    for (int n = 0; n < skin.nodes_per_facet(); ++n) {
+        const Vec3 x = vector_at(q, skin.unknown_of(facet, n));
+        const auto i = static_cast<std::size_t>(n);
+        out.position += weights.value[i] * x;
+        out.du += weights.du[i] * x;
+        out.dv += weights.dv[i] * x;
+    }
+    return out;
+}
+
+std::vector<Vec3> nodal_normals(const Skin& skin, Unknowns q) {
+    const auto area = areas_at_nodes(skin, q);
+    std::vector<Vec3> out(static_cast<std::size_t>(skin.num_normals), Vec3::Zero());
+    for (std::size_t i = 0; i < area.size(); ++i)
+        out[static_cast<std::size_t>(skin.normal_of[i])] += area[i];
+    for (auto& normal : out)
+        normal.normalize();
+    return out;
+}
+
+Vec3 smooth_normal(const Skin& skin, const std::vector<Vec3>& nodal, std::int32_t facet,
+                   const FacetWeights& weights) {
+    Vec3 out = Vec3::Zero();
+    const auto first =
+        static_cast<std::size_t>(facet) * static_cast<std::size_t>(skin.nodes_per_facet());
+    for (std::size_t n = 0; n < static_cast<std::size_t>(skin.nodes_per_facet()); ++n)
+        out += weights.value[n] * nodal[static_cast<std::size_t>(skin.normal_of[first + n])];
+    return out.normalized();
+}
+
+} // namespace braidx
