@@ -20,14 +20,16 @@ class Isotropic(NamedTuple):
 
 
 class Split(NamedTuple):
-    """Energy per reference volume, MPa, in three shares of which none is ever negative.
+    """Energy per reference volume, MPa, in shares of which none is ever negative.
 
-    Without a fibre `axial` is 0, `shear` the energy of the change of shape and `bulk` that of the change of volume.
+    Without a fibre `axial` and `shear` are None, `shape` is the energy of the whole change of shape and `volume` that
+    of the change of volume.
     """
 
-    axial: Any  # of the fibre's strain while the section contracts freely
-    shear: Any  # of the shear between fibre and section
-    bulk: Any  # of the section's strain beyond its free contraction
+    axial: Any | None  # of the fibre's strain while the section contracts freely
+    shear: Any | None  # of the shear between fibre and section
+    shape: Any  # of the section's change of shape
+    volume: Any  # of the section's change of area beyond its free contraction
 
 
 def green_lagrange(gradient: Any) -> Any:
@@ -46,7 +48,7 @@ def saint_venant_kirchhoff(gradient: Any, law: Isotropic) -> Split:
     shear, bulk = _lame(law)
     strain = green_lagrange(gradient)
     shape = ufl.dev(strain)
-    return Split(0.0, shear * ufl.inner(shape, shape), 0.5 * bulk * ufl.tr(strain) ** 2)
+    return Split(None, None, shear * ufl.inner(shape, shape), 0.5 * bulk * ufl.tr(strain) ** 2)
 
 
 def neo_hooke(gradient: Any, law: Isotropic) -> Split:
@@ -54,7 +56,7 @@ def neo_hooke(gradient: Any, law: Isotropic) -> Split:
     shear, bulk = _lame(law)
     volume = ufl.det(gradient)
     stretch = ufl.inner(gradient, gradient) * volume ** (-2.0 / 3.0)
-    return Split(0.0, 0.5 * shear * (stretch - 3.0), 0.5 * bulk * ufl.ln(volume) ** 2)
+    return Split(None, None, 0.5 * shear * (stretch - 3.0), 0.5 * bulk * ufl.ln(volume) ** 2)
 
 
 def transversely_isotropic(
@@ -72,13 +74,14 @@ def transversely_isotropic(
     # Sum of e11 and e22, and of the squares of the section's strains, beyond the free contraction.
     free = law.axial_poisson * axial
     trace = ufl.tr(strain) - axial
-    both = trace + 2.0 * free
+    area = trace + 2.0 * free
     squares = ufl.inner(strain, strain) - 2.0 * slide - axial**2 + 2.0 * free * (trace + free)
     c = stiffness(law)
     return Split(
         axial=0.5 * law.axial_modulus * axial**2 + fibre_stress * axial,
         shear=2.0 * law.axial_shear_modulus * slide,
-        bulk=0.5 * (c.c11 - c.c12) * squares + 0.5 * c.c12 * both**2,
+        shape=0.5 * (c.c11 - c.c12) * (squares - 0.5 * area**2),
+        volume=0.25 * (c.c11 + c.c12) * area**2,
     )
 
 

@@ -14,7 +14,7 @@ from dolfinx import fem
 from mpi4py import MPI
 
 from ..forms import hyperelastic, solid
-from ..forms.curve import Part, integral
+from ..forms.curve import integral
 from ..forms.materials import TransverselyIsotropic
 from ..forms.variation import variations
 from ..meshing.solid_mesh import SolidMesh
@@ -150,6 +150,67 @@ class SolidBody:
     def facet_nodes(self, tag: str, part: int | None = None) -> IntArray:
         """Nodes of the facets of a surface, shape (num_facets, 4, 9, 3 or 6), turned outward; see SolidMesh."""
         return self.mesh.facet_nodes(tag, part)
+
+    def von_mises(self, q: FloatArray) -> FloatArray:
+        """Mean equivalent stress of each cell in state `q`, MPa, shape (num_cells,), the same on each rank.
+
+        Leaves the body in state `q`, as all measures do.
+        """
+        return self._mean(q, "von_mises")
+
+    def fibre_stress(self, q: FloatArray) -> FloatArray:
+        """Mean Cauchy stress along the current fibre, MPa, positive when pulled, shape (num_cells,)."""
+        return self._mean(q, "fibre_stress")
+
+    def energy_density(self, q: FloatArray) -> FloatArray:
+        """Mean stored energy per reference volume, MPa, shape (num_cells,)."""
+        return self._mean(q, "energy")
+
+    def volumes(self) -> FloatArray:
+        """Reference volume of each cell, mm^3, shape (num_cells,)."""
+        return self._integrals()["volume"]
+
+    def mean_axial_force(self, q: FloatArray, part: int = 0) -> FloatArray:
+        """Axial force of a swept part, N, positive when pulled: mean over each of its elements, shape (num_elements,).
+
+        Mean of the nominal stress along the fibre over the volume between two layers, times the section's area.
+
+        Raises:
+            ValueError: If the part was not swept.
+        """
+        sweep = self.mesh.sweeps.get(part)
+        if sweep is None:
+            swept = ", ".join(map(str, self.mesh.sweeps)) or "none"
+            raise ValueError(f"part {part} has no centre line: swept parts are {swept}")
+        self.set_state(q)
+        totals = self._integrals()
+        force, volume = (totals[name][sweep.cells].sum(axis=1) for name in ("axial_force", "volume"))
+        return np.asarray(force / volume * sweep.area)
+
+    def _mean(self, q: FloatArray, name: str) -> FloatArray:
+        """Mean of a measure over each cell."""
+        self.set_state(q)
+        totals = self._integrals()
+        return totals[name] / totals["volume"]
+
+    def _integrals(self) -> dict[str, FloatArray]:
+        """Integral of every measure over each cell in the current state, shape (num_cells,) each."""
+        field, form = self._measures
+        local = np.zeros_like(field.function.x.array)
+        fem.assemble_vector(local, form)
+        gathered = field.gather(local, self.num_elements)
+        return dict(zip(solid.Measures._fields, gathered.T))
+
+    @cached_property
+    def _measures(self) -> tuple[ElementField, fem.Form]:
+        """Form of the integrals of all measures; compiled when first asked for."""
+        field = ElementField(self._domain, len(solid.Measures._fields))
+        gradient = ufl.variable(ufl.grad(self._state))
+        values = solid.measures(gradient, self._split(gradient), self._fibre.function)
+        test = ufl.TestFunction(field.function.function_space)
+        density = ufl.dot(ufl.as_vector(list(values)), test)
+        part = solid.best_points(density, self.mesh.cell.name, self.mesh.degree)
+        return field, compile_form(integral(part, self._domain.mesh.ufl_domain()))
 
 
 def _per_part(

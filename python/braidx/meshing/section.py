@@ -36,15 +36,24 @@ class SectionMesh:
 
     def moments(self) -> tuple[float, float, float]:
         """Area (mm^2) and the integrals of xi1^2 and xi2^2 (mm^4) of the mesh: of the polygon, not of the circle."""
-        abscissae, weights = np.polynomial.legendre.leggauss(4)
-        at = np.stack(np.meshgrid(abscissae, abscissae), axis=-1).reshape(-1, 2) / 2.0 + 0.5
-        weight = np.outer(weights, weights).ravel() / 4.0
-        nodes = self.points[self.quads]
-        x = np.einsum("pn,qni->qpi", self.cell.shape(at), nodes)
-        jacobian = np.einsum("pdn,qni->qpid", self.cell.gradient(at), nodes)
-        measure = np.linalg.det(jacobian) * weight
+        shape, measure = self._gauss()
+        x = np.einsum("pn,qni->qpi", shape, self.points[self.quads])
         first, second = (float(np.sum(measure * x[..., i] ** 2)) for i in range(2))
         return float(measure.sum()), first, second
+
+    def weights(self) -> FloatArray:
+        """Integral of each node's shape function, shape (num_nodes,), mm^2; their sum is the area."""
+        shape, measure = self._gauss()
+        result = np.zeros(len(self.points))
+        np.add.at(result, self.quads, measure @ shape)
+        return result
+
+    def _gauss(self) -> tuple[FloatArray, FloatArray]:
+        """Shape functions at Gauss points (num_points, num_quad_nodes), measure (num_quads, num_points)."""
+        abscissae, weights = np.polynomial.legendre.leggauss(4)
+        at = np.stack(np.meshgrid(abscissae, abscissae), axis=-1).reshape(-1, 2) / 2.0 + 0.5
+        jacobian = np.einsum("pdn,qni->qpid", self.cell.gradient(at), self.points[self.quads])
+        return self.cell.shape(at), np.linalg.det(jacobian) * np.outer(weights, weights).ravel() / 4
 
     def beam_section(self, torsion_constant: float | None = None) -> BeamSection:
         """Section of a beam with the area and inertias of the mesh.

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 
 import numpy as np
 
@@ -21,7 +22,7 @@ class Sweep:
         line: Centre of each layer, shape (num_layers, 3), mm.
         directors: g1, g2 of each layer, shape (num_layers, 2, 3).
         cells: Cells between two layers, shape (num_elements, cells_per_element).
-        area: Of the section's mesh, mm^2.
+        weights: Area that belongs to each node of a layer, shape (nodes_per_layer,), mm^2.
     """
 
     layers: IntArray
@@ -29,18 +30,16 @@ class Sweep:
     line: FloatArray
     directors: FloatArray
     cells: IntArray
-    area: float
+    weights: FloatArray
+
+    @property
+    def area(self) -> float:
+        """Of the section's mesh, mm^2."""
+        return float(self.weights.sum())
 
     def moved(self, nodes: int, cells: int) -> Sweep:
         """The same sweep in a mesh that has this many nodes and cells before it."""
-        return Sweep(
-            self.layers + nodes,
-            self.section,
-            self.line,
-            self.directors,
-            self.cells + cells,
-            self.area,
-        )
+        return replace(self, layers=self.layers + nodes, cells=self.cells + cells)
 
 
 @dataclass(frozen=True)
@@ -54,6 +53,7 @@ class SolidMesh:
         fibre: Unit direction of the fibres in each cell, shape (num_cells, 3).
         facets: (cell, local facet) of named surfaces, shape (num_facets, 2) each.
         sweeps: Parts that were swept along a line.
+        part_names: Name of each part, or nothing.
     Raises:
         ValueError: If a shape does not fit, a node belongs to no cell or a cell is turned inside out.
     """
@@ -64,6 +64,7 @@ class SolidMesh:
     fibre: FloatArray
     facets: Mapping[str, IntArray]
     sweeps: Mapping[int, Sweep] = field(default_factory=dict)
+    part_names: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         check_shapes(self)
@@ -113,7 +114,9 @@ class SolidMesh:
         """
         if tag not in self.facets:
             known = ", ".join(f'"{name}"' for name in sorted(self.facets)) or "none"
-            raise ValueError(f'the mesh has no surface "{tag}"; it has: {known}')
+            close = get_close_matches(tag, self.facets, n=1, cutoff=0.5)
+            hint = f'; did you mean "{close[0]}"?' if close else ""
+            raise ValueError(f'the mesh has no surface "{tag}", it has: {known}{hint}')
         facets = self.facets[tag]
         return facets if part is None else facets[self.cell_part[facets[:, 0]] == part]
 
@@ -160,4 +163,7 @@ def join(meshes: Sequence[SolidMesh]) -> SolidMesh:
             for i, mesh in enumerate(meshes)
             for part, sweep in mesh.sweeps.items()
         },
+        part_names=tuple(
+            name for m in meshes for name in m.part_names or [""] * m.num_parts
+        ),
     )

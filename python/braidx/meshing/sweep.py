@@ -50,7 +50,7 @@ def sweep(
         cell_part=np.zeros(len(cells), dtype=np.int64),
         fibre=np.repeat(fibre, per_element, axis=0),
         facets=_surfaces(section, quads),
-        sweeps={0: Sweep(layers, section.points, line, directors, quads, section.moments()[0])},
+        sweeps={0: Sweep(layers, section.points, line, directors, quads, section.weights())},
     )
 
 
