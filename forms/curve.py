@@ -12,9 +12,11 @@ class Part(NamedTuple):
     mixes quadratures, so they never meet in a form and the assembled parts are added.
     """
 
-    density: Any  # energy per reference length, N (= mJ / mm)
+    density: Any  # energy per reference length, N (= mJ / mm), or volume, MPa (= mJ / mm^3)
     quadrature_degree: int
-    quadrature_rule: str = "default"  # Gauss; "GLL" has its points at the nodes
+    quadrature_rule: str = "default"  # Gauss; "GLL" has its points at the nodes; "custom": own ones
+    points: tuple[tuple[float, ...], ...] = ()  # in the reference cell
+    weights: tuple[float, ...] = ()
 
 
 def gauss(density: Any, num_points: int) -> Part:
@@ -28,11 +30,13 @@ def nodal(density: Any, degree: int) -> Part:
 
 
 def integral(part: Part, mesh: ufl.Mesh) -> ufl.Form:
-    """Integral of a part along the reference curve, mJ."""
-    quadrature = {
+    """Integral of a part over the reference configuration, mJ."""
+    quadrature: dict[str, Any] = {
         "quadrature_degree": part.quadrature_degree,
         "quadrature_rule": part.quadrature_rule,
     }
+    if part.points:
+        quadrature |= {"quadrature_points": part.points, "quadrature_weights": part.weights}
     return part.density * ufl.dx(domain=mesh, metadata=quadrature)
 
 

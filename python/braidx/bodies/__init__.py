@@ -4,5 +4,6 @@ from .beam import BeamBody
 from .body import CurveBody
 from .cable import CableBody
 from .section import BeamSection, YarnMaterial
+from .solid import SolidBody
 
-__all__ = ["BeamBody", "BeamSection", "CableBody", "CurveBody", "YarnMaterial"]
+__all__ = ["BeamBody", "BeamSection", "CableBody", "CurveBody", "SolidBody", "YarnMaterial"]

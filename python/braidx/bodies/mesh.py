@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Protocol
 
 import basix.ufl
 import numpy as np
@@ -41,6 +42,16 @@ class CurveMesh:
         return nodes
 
 
+class Domain(Protocol):
+    """A distributed mesh that knows the canonical element of each of its cells."""
+
+    @property
+    def mesh(self) -> dolfinx_mesh.Mesh: ...
+
+    @property
+    def cell_elements(self) -> IntArray: ...
+
+
 class ElementField:
     """Values that are constant in each element, for use as coefficients of forms.
 
@@ -49,22 +60,22 @@ class ElementField:
             component.
     """
 
-    def __init__(self, curve_mesh: CurveMesh, components: int = 1) -> None:
+    def __init__(self, domain: Domain, components: int = 1) -> None:
         shape = () if components == 1 else (components,)
-        element = basix.ufl.element("DG", "interval", 0, shape=shape)
-        self.function = fem.Function(fem.functionspace(curve_mesh.mesh, element))
+        element = basix.ufl.element("DG", domain.mesh.basix_cell(), 0, shape=shape)
+        self.function = fem.Function(fem.functionspace(domain.mesh, element))
         cells = self.function.function_space.dofmap.list[:, 0]
         self._elements = np.empty(len(cells), dtype=np.int64)
-        self._elements[cells] = curve_mesh.cell_elements
+        self._elements[cells] = domain.cell_elements
 
     def set(self, values: FloatArray) -> None:
         """Set canonical values, shape (num_elements,) or (num_elements, components)."""
         self.function.x.array[:] = values[self._elements].ravel()
 
     def gather(self, local: FloatArray, num_elements: int) -> FloatArray:
-        """Bring values in local order, shape (num_cells,), to all ranks in canonical order."""
-        result = np.zeros(num_elements)
-        result[self._elements] = local
+        """Bring values in local order, shape (num_cells components,), to all ranks in canonical order."""
+        result = np.zeros((num_elements, *self.function.ufl_shape))
+        result[self._elements] = local.reshape(-1, *self.function.ufl_shape)
         comm = self.function.function_space.mesh.comm
         comm.Allreduce(MPI.IN_PLACE, result)
         return result
