@@ -33,7 +33,8 @@ def scene_table(scene: Scene, rope: Rope) -> Table:
     rows |= bending_rows(scene)
     per_yarn = (len(rope.centre_lines[0]) - 1) // scene.yarn.degree
     rows |= {
-        "start": f"outer diameter {outer_diameter(scene):.4g} mm, yarns overlap by up to {largest_overlap(rope):.3g} mm",
+        "start": f"outer diameter {outer_diameter(scene):.4g} mm, "
+        f"yarns overlap by up to {largest_overlap(rope):.3g} mm",
         "sample": f"{rope.length:g} mm, {scene.rope.pitches} x {rope.pitch:g} mm",
         "elements": f"{rope.num_yarns * per_yarn} of degree {scene.yarn.degree}, "
         f"{rope.length / per_yarn:.3g} mm long",
