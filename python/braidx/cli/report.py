@@ -8,17 +8,18 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
-from braidx.geometry import Rope, no_rotations, one_for_all, rotations
+from braidx.cli.bending_report import BLOCK, bending_rows, own_unknowns
+from braidx.geometry import (
+    Rope,
+    largest_overlap,
+    no_rotations,
+    one_for_all,
+    outer_diameter,
+    rotations,
+)
 from braidx.geometry.closed_forms import cover_factor, helix_angle
 from braidx.geometry.strand import strand_section, yarn_pitch
-from braidx.scene import Form, Scene
-
-BLOCK = {"cable": 3, "beam": 9}  # unknowns per node
-
-
-def unknowns(rope: Rope, model: str) -> int:
-    """Unknowns of all yarns before end conditions."""
-    return BLOCK[model] * sum(len(line) for line in rope.centre_lines)
+from braidx.scene import Bend, Form, Scene
 
 
 def scene_table(scene: Scene, rope: Rope) -> Table:
@@ -29,12 +30,15 @@ def scene_table(scene: Scene, rope: Rope) -> Table:
     }
     if scene.braid is not None:
         rows |= _braid_rows(scene, rope)
+    rows |= bending_rows(scene)
     per_yarn = (len(rope.centre_lines[0]) - 1) // scene.yarn.degree
     rows |= {
+        "start": f"outer diameter {outer_diameter(scene):.4g} mm, "
+        f"yarns overlap by up to {largest_overlap(rope):.3g} mm",
         "sample": f"{rope.length:g} mm, {scene.rope.pitches} x {rope.pitch:g} mm",
         "elements": f"{rope.num_yarns * per_yarn} of degree {scene.yarn.degree}, "
         f"{rope.length / per_yarn:.3g} mm long",
-        "unknowns": ", ".join(f"{unknowns(rope, model)} as {model}s" for model in _models(scene)),
+        "unknowns": _unknowns_text(scene, rope),
         "solved for": _solved_text(scene, rope),
         "steps": ", ".join(step.kind for step in scene.steps) or "none",
         "expected": ", ".join(scene.expected) or "none",
@@ -45,9 +49,12 @@ def scene_table(scene: Scene, rope: Rope) -> Table:
     return table
 
 
-def _models(scene: Scene) -> list[str]:
+def _unknowns_text(scene: Scene, rope: Rope) -> str:
+    """Unknowns of all yarns before end conditions, in the models that they are formed and computed in."""
+    nodes = sum(len(line) for line in rope.centre_lines)
     forming = [step.model for step in scene.steps if isinstance(step, Form)]
-    return list(dict.fromkeys([*forming, scene.yarn.model]))
+    texts = [f"{BLOCK[model] * nodes} as {model}s" for model in forming]
+    return ", ".join(dict.fromkeys([*texts, own_unknowns(scene, rope)]))
 
 
 def _solved_text(scene: Scene, rope: Rope) -> str:
@@ -58,7 +65,9 @@ def _solved_text(scene: Scene, rope: Rope) -> str:
     leaders = len(np.unique(alike.leader))
     alone = one_for_all(scene) or scene.rope.pitches == 1
     pitches = "one pitch" if alone else f"{scene.rope.pitches} pitches"
-    return f"{pitches}, {leaders} of {rope.num_yarns} yarns"
+    text = f"{pitches}, {leaders} of {rope.num_yarns} yarns"
+    bent = any(isinstance(step, Bend) for step in scene.steps)
+    return f"{text} until it is bent, then all of it" if bent else text
 
 
 def _strand_text(scene: Scene) -> str:
@@ -79,8 +88,9 @@ def _braid_rows(scene: Scene, rope: Rope) -> dict[str, str]:
     cover = cover_factor(rope.num_strands, width, radius, angle)
     return {
         "crossings": f"{len(rope.crossings)}, {text}",
-        "helices": f"radius {radius:g} mm, {math.degrees(angle):.2f} degrees from the axis, "
-        f"cover factor {cover:.3f}",
+        "helices": f"radius {radius:g} mm, undulation {scene.braid.undulation:g} mm, cover factor {cover:.3f}",
+        "braiding angle": f"{90.0 - math.degrees(angle):.2f} degrees from the horizontal, "
+        f"{math.degrees(angle):.2f} from the axis",
     }
 
 

@@ -58,18 +58,18 @@ def _check_climb(scene: Scene) -> None:
     rate = 2.0 * np.pi / yarn_pitch(scene.strand, scene.rope.pitch)
     if outermost == 0.0:
         return
-    for helix in strand_helices(scene)[0]:
-        s = _heights(helix, scene.rope.pitch)
-        for turn in np.arange(8) * np.pi / 4.0:
-            if (
-                min(climb(helix, outermost, turn, way * rate, s).min() for way in (1, -1))
-                < LEAST_CLIMB
-            ):
-                cure = (
-                    f"yarns at {outermost:.4g} mm from the centre line of a strand would turn back along the axis; "
-                    "use less, a longer pitch or thinner strands."
-                )
-                raise SceneError("braid.undulation", cure, scene.braid.undulation)
+    least = min(
+        climb(helix, outermost, turn, way * rate, _heights(helix, scene.rope.pitch)).min()
+        for helix in strand_helices(scene)[0]
+        for turn in np.arange(8) * np.pi / 4.0
+        for way in (1, -1)
+    )
+    if least < LEAST_CLIMB:
+        cure = (
+            f"yarns at {outermost:.4g} mm from the centre line of a strand would turn back along the axis; use less, "
+            "a longer pitch or thinner strands."
+        )
+        raise SceneError("braid.undulation", cure, scene.braid.undulation)
 
 
 def _check_folds(scene: Scene) -> None:
@@ -96,11 +96,10 @@ def _heights(helix: StrandHelix, pitch: float) -> np.ndarray:
 
 def _smallest_radius(helix: StrandHelix, pitch: float) -> float:
     z = _heights(helix, pitch)
-    if len(z) < 100 and helix.radius == 0.0:
-        return math.inf
     step = z[1]
     before, here, after = (helix.point(z + way * step) for way in (-1, 0, 1))
     tangent, bend = (after - before) / (2.0 * step), (after - 2.0 * here + before) / step**2
     speed = np.linalg.norm(tangent, axis=1)
     curvature = np.linalg.norm(np.cross(tangent, bend), axis=1) / speed**3
-    return float(1.0 / curvature.max())
+    sharpest = float(curvature.max())
+    return 1.0 / sharpest if sharpest > 0.0 else math.inf

@@ -141,12 +141,16 @@ class YarnModel(Table):
             near = max(4, 4 * round(self.seeds / 4))
             raise SceneError("yarn.seeds", f"not a multiple of 4, use {near}.", self.seeds)
         for number, model in self.models.items():
-            if not (number.isascii() and number.isdecimal()):
+            if not (number.isascii() and number.isdecimal() and number == str(int(number))):
                 cure = 'not the number of a yarn; write whole numbers from 0, such as 3 = "beam".'
                 raise SceneError(f"yarn.models.{number}", cure, model)
             if model not in MODELS:
                 cure = f"choose {' or '.join(MODELS)}; {nearest(model, MODELS)}"
                 raise SceneError(f"yarn.models.{number}", cure, model)
+
+    def model_of(self, number: int) -> str:
+        """Model of a yarn, by its number."""
+        return self.models.get(str(number), self.model)
 
     @property
     def section_area(self) -> float:

@@ -148,6 +148,38 @@ def test_check_takes_a_strand(invoke):
     assert "7 (cable)" in invoke("check", str(DEMOS / "twisted_strand.toml")).stdout
 
 
+def test_check_tells_of_a_rope_that_is_bent(invoke):
+    scene = str(DEMOS / "bending_over_sheave.toml")
+    text = invoke("check", scene).stdout
+    for wanted in (
+        "60.00 degrees from the horizontal, 30.00 from the axis",
+        "cover factor 0.799",
+        "solid, radius 2 mm, st-venant-kirchhoff, 200 MPa",
+        "D/d 3.33, flat, fixed",
+        "outer diameter 12 mm, yarns overlap by up to 0.39 mm",
+        "5220 as cables, 15660 as beams",
+        "one pitch, 2 of 12 yarns until it is bent",
+    ):
+        assert wanted in text
+
+
+@pytest.mark.parametrize(
+    ("overrides", "wanted"),
+    [
+        # 144 layers of elements, 4 x 4 nodes of the square and 12 of the ring, 3 unknowns each
+        (["yarn.model=solid"], f"about {12 * 145 * 28 * 3} as solids"),
+        (["yarn.model=solid", "yarn.solid_degree=2"], f"about {12 * 289 * 97 * 3} as solids"),
+        (["yarn.models.3=cable"], f"{(11 * 9 + 3) * 145} as beams, cables"),
+        (["yarn.model=mixed"], "as mixed"),
+        (["yarn.model=auto"], "those of the models chosen when it runs, auto"),
+    ],
+)
+def test_check_counts_unknowns_of_every_model(invoke, overrides, wanted):
+    words = [word for override in overrides for word in ("--set", override)]
+    text = invoke("check", str(DEMOS / "bending_over_sheave.toml"), *words).stdout
+    assert wanted in " ".join(text.replace("│", " ").split())
+
+
 def test_show_draws_a_scene(invoke, tmp_path):
     picture = tmp_path / "new" / "start.png"
     assert "start configuration" in invoke("show", SMALL, "--out", str(picture)).stdout
