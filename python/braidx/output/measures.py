@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from braidx.output.cuts import Cut, cut
+from braidx.output.rope_axis import axis_of
 from braidx.output.snapshot import Array, Snapshot
 
 _ANGLES = np.linspace(0.0, 2 * np.pi, 720, endpoint=False)
@@ -94,9 +95,13 @@ def packing_fraction(section: Cut) -> float:
 
 
 def layers(snapshot: Snapshot) -> NDArray[np.int64]:
-    """Layer (direction) of each yarn: 0 where its strand turns right-handed about z, else 1."""
+    """Layer (direction) of each yarn: 0 where its strand turns right-handed about the rope's axis, else 1."""
     turns = np.zeros(int(snapshot.strand.max()) + 1)
-    for line, strand in zip(snapshot.centre_lines, snapshot.strand):
+    lines = snapshot.centre_lines
+    if snapshot.sheave is not None:  # the rope may be bent
+        axis = axis_of(snapshot)
+        lines = tuple(axis.straightened(line) for line in lines)
+    for line, strand in zip(lines, snapshot.strand):
         a, b = line[:-1], line[1:]
         cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
         dot = a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1]

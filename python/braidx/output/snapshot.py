@@ -140,7 +140,9 @@ def load(path: Path) -> Snapshot:
         while f"skin{len(skins)}_points" in data:
             skins.append(SkinPicture(**read_columns(f"skin{len(skins)}", SkinPicture, data)))
         contacts = read_columns("contacts", ContactTable, data)
-        core, sheave = read_columns("core", CoreLine, data), read_columns("sheave", SheavePicture, data)
+        core, sheave = read_columns("core", CoreLine, data), read_columns(
+            "sheave", SheavePicture, data
+        )
         return Snapshot(
             name=str(data["name"]),
             centre_lines=per_yarn["centre_lines"],
