@@ -35,7 +35,17 @@ STATE_RESULTS = {
     "yarn_stress_max": "MPa",
     "friction_work": "mJ",
     "stabilisation_work_share": "-",
+    "relative_displacement": "mm",
+    "relative_displacement_max": "mm",
+    "crossing_points": "count",
+    "yarn_sheave_force_max": "N",
+    "core_pressure_max": "MPa",
+    "von_mises_max": "MPa",
+    "end_force": "N",
+    "friction_work_per_cycle": "mJ",
 }
+
+ON_THE_WAY = ("form", "settle", "bend", "straighten", "bend_cycles")  # steps whose end counts
 
 FIRST_PULL = tuple(n for n in STATE_RESULTS if n.startswith("yarn_stress") or n.endswith("_loaded"))
 
@@ -74,7 +84,7 @@ def final_results(scene: Scene, rope: Rope, rows: Mapping[str, np.ndarray]) -> d
     step = np.array([str(s) for s in rows["step"]])
     for name, column, ways in (
         ("max_penetration_over_radius", "max penetration / radius (-)", ("form",)),
-        ("stabilisation_work_share", "stabilisation work share (-)", ("form", "settle")),
+        ("stabilisation_work_share", "stabilisation work share (-)", ON_THE_WAY),
     ):
         reported = np.ones(len(step), dtype=bool)
         for way in ways:

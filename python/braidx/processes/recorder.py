@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from mpi4py import MPI
 from rich.console import Console
 
@@ -55,7 +54,9 @@ class Recorder:
         self._series = paraview.Series(folder / "fields", after) if scene.output.fields else None
         (folder / SNAPSHOTS).mkdir(exist_ok=True)
         names = [f"{i + 1} {step.kind}" for i, step in enumerate(scene.steps)]
-        self._progress = Progress(names, [WEIGHTS.get(step.kind, 20.0) for step in scene.steps], console)
+        self._progress = Progress(
+            names, [WEIGHTS.get(step.kind, 20.0) for step in scene.steps], console
+        )
         slow = blas_warning()
         if slow:
             LOGGER.warning("%s", slow)

@@ -17,7 +17,15 @@ from ..system.constraints import Floats, Ints
 
 FILE = "checkpoint.npz"
 ARRAYS = ("q", "reference", "rest_tension", "previous", "stretches")
-KEPT = ("strain", "share", "tension", "travel", "moved", "pretension", "furthest")  # by the steps that follow
+KEPT = (
+    "strain",
+    "share",
+    "tension",
+    "travel",
+    "moved",
+    "pretension",
+    "furthest",
+)  # by the steps that follow
 CELL = ("cell", "released")  # models of one pitch
 
 
@@ -64,11 +72,7 @@ class State:
 
     def next_step(self) -> State:
         """The same state at the beginning of the step that follows."""
-        kept = {
-            name: self.progress[name]
-            for name in KEPT
-            if name in self.progress
-        }
+        kept = {name: self.progress[name] for name in KEPT if name in self.progress}
         return replace(self, step=self.step + 1, progress=kept)
 
 

@@ -6,20 +6,19 @@ from collections.abc import Sequence
 
 import numpy as np
 from mpi4py import MPI
+from scipy.interpolate import CubicSpline
 
 from ...bodies import BeamBody, CableBody, CurveBody
 from ...bodies.frames import rotation_minimising_frames
-from ...contact.tubes import TubeLayout
+from ...bodies.solid import SolidBody
 from ...scene import Scene
-from ...system.constraints import Constraints, Floats, Ints
+from ...system.constraints import Floats
 from ...system.terms import Body
-from . import curves
+from . import curves, solids
 from .clamp import SIZE, Clamp
 from .curves import Line
-from .pieces import Piece, join
+from .pieces import Piece
 from .stretches import Stretch
-
-YARN, CORE, SHEAVE = range(3)  # bodies, as far as friction is concerned
 
 
 class Assembly:
@@ -27,7 +26,8 @@ class Assembly:
 
     Attributes:
         bodies: Each with the number of its first unknown.
-        cables, beams: Those among them that are curves, with that number; None where there are none.
+        cables, beams, solids: Those that yarns, and a core that is a beam, are in, with that number; or None.
+        core_solid: The core if it is a solid, with that number; or None.
         pieces: One per stretch, in their order.
         core: The core's piece, or None.
         clamps: At the start and at the end of the rope.
@@ -46,19 +46,20 @@ class Assembly:
         lines: Sequence[Floats],
         stretches: Sequence[Stretch],
     ) -> None:
-        self.scene, self.stretches = scene, stretches
+        self.scene, self.lines, self.stretches = scene, tuple(lines), tuple(stretches)
         self.bodies: list[tuple[Body, int]] = []
-        self._frames = rotation_minimising_frames(lines)
-        self._lines = lines
-        self._size = 0
+        self.core: Piece | None = None
+        self._comm, self._size = comm, 0
         self._rest: list[Floats] = []
         self._pieces: dict[Stretch, Piece] = {}
-        self.core: Piece | None = None
-        self.cables = self._add_cables(comm)
-        self.beams = self._add_beams(comm)
+        self._refine(solids.layers_per_element(scene))
+        self.cables = self._add_cables()
+        self.beams = self._add_beams()
+        self.solids = self._add_solids()
+        self.core_solid = self._add_core_solid()
         self.pieces = [self._pieces[stretch] for stretch in stretches]
-        heights = lines[0][0, 2], lines[0][-1, 2]
-        self.clamps = (self._add_clamp(heights[0]), self._add_clamp(heights[1]))
+        start, end = lines[0][0, 2], lines[0][-1, 2]
+        self.clamps = self._add_clamp(start), self._add_clamp(end)
         self.start: Floats = np.concatenate(self._rest)
 
     @property
@@ -66,128 +67,81 @@ class Assembly:
         """Whether the core is the last curve of the beams."""
         return self.scene.core is not None and self.scene.core.model == "beam"
 
-    def constraints(self) -> tuple[Constraints, Floats]:
-        """Yarns made whole, everything clamped at both ends, the clamps held in the plane of bending.
-
-        Ends of the rope move alike along the axis. Returns the constraints and their values, shape (num_unknowns,).
-        """
-        constraints, values = Constraints(len(self.start)), np.zeros(len(self.start))
-        for clamp in self.clamps:
-            clamp.hold(constraints, values)
-        first, last = (clamp.axial for clamp in self.clamps)
-        constraints.combine(first, [last], [-1.0])
-        values[first] = self.start[first] + self.start[last]
-        numbered = list(zip(self.stretches, self.pieces, strict=True))
-        for (one, before), (two, after) in zip(numbered[:-1], numbered[1:], strict=True):
-            if one.yarn == two.yarn:
-                join(constraints, values, before, after, self.start)
-        for number, (stretch, piece) in enumerate(numbered):
-            if number == 0 or numbered[number - 1][0].yarn != stretch.yarn:
-                piece.clamp(constraints, 0, self.clamps[0], self.start)
-            if number + 1 == len(numbered) or numbered[number + 1][0].yarn != stretch.yarn:
-                piece.clamp(constraints, -1, self.clamps[1], self.start)
-        if self.core is not None:
-            for section, clamp in zip((0, -1), self.clamps, strict=True):
-                self.core.clamp(constraints, section, clamp, self.start)
-                if self.core.directors:
-                    component = np.arange(3, SIZE)
-                    node = self.core.positions[section, 0]
-                    constraints.tie(node + component, clamp.first_unknown + component)
-        return constraints, values
-
-    def centre_lines(self, q: Floats) -> tuple[Floats, ...]:
-        """Centre lines of all yarns, shape (num_nodes, 3) each, mm, with the nodes of the straight rope."""
-        out = [np.empty_like(line) for line in self._lines]
+    def yarns(self) -> list[list[Piece]]:
+        """The pieces of each yarn, from its start to its end."""
+        out: list[list[Piece]] = [[] for _ in self.lines]
         for stretch, piece in zip(self.stretches, self.pieces, strict=True):
-            out[stretch.yarn][stretch.nodes] = piece.centre_line(q)
-        return tuple(out)
+            out[stretch.yarn].append(piece)
+        return out
 
-    def directors(self, q: Floats) -> tuple[Floats, ...] | None:
-        """Sections of yarns, shape (num_nodes, 2, 3) each, if all of them are beams from end to end."""
-        if any(not piece.directors for piece in self.pieces):
-            return None
-        return tuple(piece.sections(q) for piece in self.pieces)
+    def _refine(self, layers: int) -> None:
+        """Layers of nodes of solids between the nodes of curves, and frames that all of them share."""
+        self._layers = layers
+        self._fine = []
+        for line in self.lines:
+            node = np.arange(len(line))
+            fine = CubicSpline(node, line)(np.arange((len(line) - 1) * layers + 1) / layers)
+            fine[::layers] = line
+            self._fine.append(fine)
+        self._frames = rotation_minimising_frames(self._fine)
 
-    def axial_stress(self, q: Floats) -> tuple[Floats, ...]:
-        """Axial force of yarns over their section at rest, between the nodes of centre lines, MPa."""
-        out = [np.empty(len(line) - 1) for line in self._lines]
-        for part in (self.cables, self.beams):
-            if part is None:
-                continue
-            body, first = part
-            rows = q[first : first + body.num_unknowns].reshape(-1, body.block)
-            stress = body.axial_stress(rows)
-            for curve, stretch in enumerate(s for s in self.stretches if self._is_in(s, body)):
-                elements = slice(*body.layout.curve_elements[[curve, curve + 1]])
-                out[stretch.yarn][stretch.first : stretch.last] = stress[elements]
-        return tuple(out)
-
-    @property
-    def surface_yarn(self) -> Ints:
-        """Yarn that each surface of the contact engine belongs to, -1 for the core."""
-        yarns = [s.yarn for model in ("cable", "beam") for s in self.stretches if s.model == model]
-        return np.array(yarns + [-1] * self.core_is_beam, dtype=np.int64)
-
-    @staticmethod
-    def _is_in(stretch: Stretch, body: CurveBody) -> bool:
-        return stretch.model == ("beam" if body.block == 9 else "cable")
-
-    def tubes(self) -> TubeLayout:
-        """All curves as tubes of the contact engine."""
-        parts = [part for part in (self.cables, self.beams) if part is not None]
-        columns: dict[str, list[Ints | Floats]] = {}
-        for body, first in parts:
-            layout = body.layout
-            count = np.diff(layout.curve_elements)
-            length = np.add.reduceat(body.rest_lengths(), layout.curve_elements[:-1])
-            ones = np.ones(len(count), dtype=np.int64)
-            radius, kind = self.scene.yarn.radius * np.ones(len(count)), YARN * ones
-            if body.block == 9 and self.core_is_beam:
-                assert self.scene.core is not None
-                radius[-1], kind[-1] = self.scene.core.radius, CORE
-            for name, values in {
-                "first_unknown": first + layout.curves[:-1] * body.block,
-                "num_elements": count,
-                "degree": layout.degree * ones,
-                "block": body.block * ones,
-                "radius": radius,
-                "element_length": length / count,
-                "body": kind,
-            }.items():
-                columns.setdefault(name, []).append(values)
-        return TubeLayout(**{name: np.concatenate(values) for name, values in columns.items()})
-
-    def _add_cables(self, comm: MPI.Comm) -> tuple[CableBody, int] | None:
-        mine = [stretch for stretch in self.stretches if stretch.model == "cable"]
+    def _add_cables(self) -> tuple[CableBody, int] | None:
+        mine = self._of("cable")
         if not mine:
             return None
-        body = curves.cables(comm, self.scene, [self._line(stretch) for stretch in mine])
+        body = curves.cables(self._comm, self.scene, [self._line(stretch) for stretch in mine])
         return body, self._add_curves(body, mine)
 
-    def _add_beams(self, comm: MPI.Comm) -> tuple[BeamBody, int] | None:
-        mine = [stretch for stretch in self.stretches if stretch.model == "beam"]
-        core = None
+    def _add_beams(self) -> tuple[BeamBody, int] | None:
+        mine, core = self._of("beam"), None
         if self.core_is_beam:
-            core = curves.core_line(self.scene, len(self._lines[0]) - 1)
+            core = curves.core_line(self.scene, len(self.lines[0]) - 1)
         if not mine and core is None:
             return None
-        body = curves.beams(comm, self.scene, [self._line(stretch) for stretch in mine], core)
+        lines = [self._line(stretch) for stretch in mine]
+        body = curves.beams(self._comm, self.scene, lines, core)
         first = self._add_curves(body, mine)
         if core is not None:
             nodes = np.arange(body.curves[-2], body.curves[-1])
             self.core = Piece(first + body.block * nodes[:, None], directors=True)
         return body, first
 
+    def _add_solids(self) -> tuple[SolidBody, int] | None:
+        mine = self._of("solid")
+        if not mine:
+            return None
+        layers = self._layers
+        fine = [slice(s.first * layers, s.last * layers + 1) for s in mine]
+        lines = [self._fine[s.yarn][nodes] for s, nodes in zip(mine, fine, strict=True)]
+        frames = [self._frames[s.yarn][nodes] for s, nodes in zip(mine, fine, strict=True)]
+        body = solids.yarn_solids(self._comm, self.scene, lines, frames)
+        first = self._add(body, body.rest)
+        for part, stretch in enumerate(mine):
+            sweep = body.mesh.sweeps[part]
+            self._pieces[stretch] = Piece(first + 3 * sweep.layers[::layers], sweep=sweep)
+        return body, first
+
+    def _add_core_solid(self) -> tuple[SolidBody, int] | None:
+        if self.scene.core is None or self.scene.core.model != "solid":
+            return None
+        body = solids.core_solid(self._comm, self.scene)
+        first = self._add(body, body.rest)
+        sweep = body.mesh.sweeps[0]
+        self.core = Piece(first + 3 * sweep.layers, sweep=sweep)
+        return body, first
+
+    def _of(self, model: str) -> list[Stretch]:
+        return [stretch for stretch in self.stretches if stretch.model == model]
+
     def _line(self, stretch: Stretch) -> Line:
-        points = self._lines[stretch.yarn][stretch.nodes]
-        return Line(points, self._frames[stretch.yarn][stretch.nodes], self.scene.yarn.radius)
+        directors = self._frames[stretch.yarn][:: self._layers][stretch.nodes]
+        return Line(self.lines[stretch.yarn][stretch.nodes], directors, self.scene.yarn.radius)
 
     def _add_curves(self, body: CurveBody, mine: Sequence[Stretch]) -> int:
         first = self._add(body, body.rest)
         for curve, stretch in enumerate(mine):
             nodes = np.arange(*body.curves[[curve, curve + 1]])
-            positions = first + body.block * nodes[:, None]
-            self._pieces[stretch] = Piece(positions, body.block == 9, stretch.first)
+            self._pieces[stretch] = Piece(first + body.block * nodes[:, None], body.block == 9)
         return first
 
     def _add(self, body: Body, rest: Floats) -> int:

@@ -56,9 +56,7 @@ class Clamp:
         constraints.hold(held)
         values[held] = self.start[held - self.first_unknown]
 
-    def carry(
-        self, constraints: Constraints, positions: Ints, section: Floats
-    ) -> None:
+    def carry(self, constraints: Constraints, positions: Ints, section: Floats) -> None:
         """Particles that are part of it.
 
         Args:

@@ -7,33 +7,49 @@ from mpi4py import MPI
 
 from ...contact.contact import Contact
 from ...scene import Scene
+from ...system.constraints import Floats
 from ..rope_contact import set_options
 from ..threads import num_threads
-from .assembly import CORE, SHEAVE, YARN, Assembly
+from .surfaces import CORE, SHEAVE, YARN, Surfaces
 
-FIRST_PENALTY = 0.5  # first penalty per length over the transverse modulus: how yarns give way that touch along a line
+FIRST_PENALTY = (
+    0.5  # first penalty over the transverse modulus: how yarns give way that touch along a line
+)
 
 
-def make_contact(comm: MPI.Comm, scene: Scene, assembly: Assembly) -> Contact:
-    """Contact of all bodies, with laws and spacing from the scene."""
+def make_contact(comm: MPI.Comm, scene: Scene, surfaces: Surfaces, start: Floats) -> Contact:
+    """Contact of all surfaces, with laws and spacing from the scene.
+
+    Args:
+        comm, scene: As of the run.
+        surfaces: What may touch.
+        start: All unknowns of the straight rope.
+    """
     contact = Contact(
         comm,
-        assembly.tubes(),
+        surfaces.tubes,
         smooth=True,
         symmetric=scene.solver.tangent == "symmetric",
         num_threads=num_threads(comm),
+        skins=surfaces.skins,
+        rest=start,
     )
     set_options(contact, scene)
-    contact.pairing.stiffness = scene.contact.penalty or FIRST_PENALTY * scene.yarn.transverse_modulus
-    contact.laws.num_bodies = 3
+    penalty = scene.contact.penalty or FIRST_PENALTY * scene.yarn.transverse_modulus
+    contact.pairing.stiffness = penalty
+    contact.pairing.area_stiffness = penalty / scene.yarn.radius
+    contact.laws.num_bodies = contact.pairing.num_bodies = 3
     contact.laws.friction = friction_table(scene).ravel().tolist()
+    may_touch = np.ones((3, 3), dtype=np.int32)
+    # Yarns lie between them wherever they come close.
+    may_touch[CORE, SHEAVE] = may_touch[SHEAVE, CORE] = 0
+    contact.pairing.may_touch = may_touch.ravel().tolist()
     return contact
 
 
-def friction_table(scene: Scene) -> np.ndarray:
+def friction_table(scene: Scene) -> Floats:
     """Coefficient of friction of each pair of bodies, shape (3, 3)."""
     table = np.zeros((3, 3))
     for name, other in (("yarn-yarn", YARN), ("yarn-core", CORE), ("yarn-sheave", SHEAVE)):
         table[YARN, other] = table[other, YARN] = scene.contact.friction_of(name)
-    table[CORE, SHEAVE] = table[SHEAVE, CORE] = scene.contact.friction_of("yarn-sheave")
     return table

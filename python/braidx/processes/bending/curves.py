@@ -41,15 +41,15 @@ def cables(comm: MPI.Comm, scene: Scene, lines: Sequence[Line]) -> CableBody:
     )
 
 
-def beams(
-    comm: MPI.Comm, scene: Scene, lines: Sequence[Line], core: Line | None
-) -> BeamBody:
+def beams(comm: MPI.Comm, scene: Scene, lines: Sequence[Line], core: Line | None) -> BeamBody:
     """Stretches of yarns as beams, and after them the core if it is one, free of stress in the straight rope."""
     yarn = scene.yarn
     sections = [yarn_section(scene)] * len(lines)
     materials = [yarn_material(scene)] * len(lines)
     bending = [yarn.bundle_factor] * len(lines)
-    torsion = [yarn.bundle_factor if yarn.torsion_factor is None else yarn.torsion_factor] * len(lines)
+    torsion = [yarn.bundle_factor if yarn.torsion_factor is None else yarn.torsion_factor] * len(
+        lines
+    )
     everything = list(lines)
     if core is not None:
         assert scene.core is not None

@@ -22,10 +22,12 @@ from .clamp import SIZE, ClampTerm
 from .contact import make_contact
 from ..state import State
 from .curves import shear_stiffness
+from .joints import joints
 from .picture import bent_picture
 from .results import bent_results
 from .sheave import SheavePlace
 from .stretches import Stretch
+from .surfaces import surfaces_of
 
 
 class BentRope:
@@ -33,6 +35,7 @@ class BentRope:
 
     Attributes:
         assembly: The bodies.
+        surfaces: What may touch.
         contact: Contact between them.
         sheave: Where the sheave is.
         system: Global system of bodies, clamps, contact, loads and stabilisation.
@@ -55,7 +58,8 @@ class BentRope:
         self.assembly = Assembly(comm, scene, lines, stretches)
         self.start = self.assembly.start
         self.sheave = SheavePlace.below(scene, lines)
-        self.contact = make_contact(comm, scene, self.assembly)
+        self.surfaces = surfaces_of(self.assembly)
+        self.contact = make_contact(comm, scene, self.surfaces, self.start)
         size = len(self.start)
         self.proximal = ProximalTerm(size, comm.rank, self._turning())
         self.loads = LoadTerm(size, comm.rank)
@@ -67,7 +71,7 @@ class BentRope:
         terms: list[Term] = [BodyTerm(body, first) for body, first in self.assembly.bodies]
         terms += [self.contact, self.proximal, self.loads, self.clamp_term]
         terms += [self.tilt] if self.tilt else []
-        constraints, self._values = self.assembly.constraints()
+        constraints, self._values = joints(self.assembly)
         self.system = GlobalSystem(comm, terms, constraints.resolve(), self._values)
         self.directors = self._directors()
         solver = scene.solver

@@ -13,18 +13,18 @@ from ...output.snapshot import Snapshot
 from ...system.constraints import Floats
 from ..state import State
 from .sheave import AXIS
+from .surfaces import NO_YARN
+from .yarn_states import axial_stress, centre_lines, directors
 
 if TYPE_CHECKING:
     from .model import BentRope
-
-NO_YARN = -1
 
 
 def bent_picture(model: BentRope, state: State, name: str) -> Snapshot:
     """A state with everything that is known of it; gathered from all processes."""
     scene, assembly, q = model.scene, model.assembly, state.q
-    lines = assembly.centre_lines(q)
-    stress = assembly.axial_stress(q)
+    lines = centre_lines(assembly, q)
+    stress = axial_stress(assembly, q)
     core = None
     if scene.core is not None and assembly.core is not None:
         line = assembly.core.centre_line(q)
@@ -35,7 +35,7 @@ def bent_picture(model: BentRope, state: State, name: str) -> Snapshot:
         lines,
         np.full(len(lines), scene.yarn.radius),
         np.arange(len(lines)),
-        directors=assembly.directors(q),
+        directors=directors(assembly, q),
         tension=tuple(s * scene.yarn.section_area for s in stress),
         axial_stress=stress,
         contacts=_contacts(model, q),
@@ -48,12 +48,14 @@ def _contacts(model: BentRope, q: Floats) -> ContactTable:
     parts = model.comm.allgather(model.contact.results(q))
     whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
     a, b = whole["tubes"].astype(np.int64).T
-    yarn = model.assembly.surface_yarn
+    yarn = model.surfaces.yarn
     yarn_a = yarn[a]
     yarn_b = np.where(b < 0, NO_YARN, yarn[b])
     on_sheave, with_core = b < 0, (yarn_a == NO_YARN) | ((b >= 0) & (yarn_b == NO_YARN))
     kind = np.select(
-        [on_sheave & with_core, on_sheave, with_core], [CORE_SHEAVE, YARN_SHEAVE, YARN_CORE], YARN_YARN
+        [on_sheave & with_core, on_sheave, with_core],
+        [CORE_SHEAVE, YARN_SHEAVE, YARN_CORE],
+        YARN_YARN,
     )
     return ContactTable(
         position=whole["position"],
@@ -67,5 +69,5 @@ def _contacts(model: BentRope, q: Floats) -> ContactTable:
         yarn_b=yarn_b,
         kind=kind,
         measure=whole["weight"],
-        per_area=np.zeros(len(a), dtype=bool),
+        per_area=whole["per_area"].astype(bool),
     )

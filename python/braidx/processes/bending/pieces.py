@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...bodies.coupling import follow_mean, follow_section
+from ...meshing import Sweep
 from ...system.constraints import Constraints, Floats, Ints
 from .clamp import Clamp
 
@@ -18,21 +20,23 @@ class Piece:
         positions: First unknowns of the positions of the nodes in each section, shape (num_sections, n): n = 1 for
             curves.
         directors: Whether each node has two directors, whose unknowns follow those of its position.
-        first: Node of the yarn's line at the first section.
+        sweep: Of a solid.
     """
 
     positions: Ints
-    directors: bool
-    first: int = 0
+    directors: bool = False
+    sweep: Sweep | None = None
 
     @property
     def is_solid(self) -> bool:
         """Whether sections have nodes all over."""
-        return self.positions.shape[1] > 1
+        return self.sweep is not None
 
     def centre_line(self, q: Floats) -> Floats:
-        """Mean position of the nodes of each section, shape (num_sections, 3), mm."""
-        line: Floats = q[self.positions[:, :, None] + np.arange(3)].mean(axis=1)
+        """Mean position of each section, shape (num_sections, 3), mm."""
+        weights = np.ones(1) if self.sweep is None else self.sweep.weights
+        nodes = q[self.positions[:, :, None] + np.arange(3)]
+        line: Floats = np.einsum("snc,n->sc", nodes, weights / weights.sum())
         return line
 
     def sections(self, q: Floats) -> Floats:
@@ -53,53 +57,19 @@ class Piece:
         clamp.carry(constraints, nodes, across)
 
 
-def join(
-    constraints: Constraints, values: Floats, before: Piece, after: Piece, start: Floats
-) -> None:
+def join(constraints: Constraints, values: Floats, before: Piece, after: Piece) -> None:
     """Makes one yarn of a curve and a solid that meet in a section.
 
     Args:
         constraints: Are added to.
         values: Their values, shape (num_unknowns,), filled in.
         before, after: The pieces; the last section of the one is the first of the other.
-        start: All unknowns of the straight rope.
     """
     ends = [(before, before.positions[-1]), (after, after.positions[0])]
-    (curve, (node,)), (_, face) = sorted(ends, key=lambda end: end[0].is_solid)
+    (curve, (node,)), (solid, nodes) = sorted(ends, key=lambda end: end[0].is_solid)
+    assert solid.sweep is not None
+    face = nodes[:, None] + np.arange(3)
     if curve.directors:
-        follow_section(constraints, face, int(node), start)
+        follow_section(constraints, values, face, solid.sweep.section, int(node))
     else:
-        follow_mean(constraints, values, face, int(node), start)
-
-
-def follow_section(constraints: Constraints, nodes: Ints, beam_node: int, start: Floats) -> None:
-    """The face of a solid follows the section of a beam, x = x0 + xi1 g1 + xi2 g2, exactly.
-
-    Args:
-        constraints: Are added to.
-        nodes: First unknowns of the face's nodes, shape (n,).
-        beam_node: First unknown of the beam's node.
-        start: All unknowns of the straight rope, in which the face lies in the section's plane.
-    """
-    component = np.arange(3)
-    centre = start[beam_node + component]
-    directors = start[beam_node + 3 + np.arange(6)].reshape(2, 3)
-    arms = start[nodes[:, None] + component] - centre
-    section = arms @ np.linalg.pinv(directors)
-    leaders = beam_node + 3 * np.arange(3)[None, :] + component[:, None]
-    of = np.broadcast_to(leaders, (len(nodes), 3, 3)).reshape(-1, 3)
-    factors = np.column_stack([np.ones(len(nodes)), section])
-    constraints.combine_each(
-        (nodes[:, None] + component).ravel(), of, np.repeat(factors, 3, axis=0)
-    )
-
-
-def follow_mean(
-    constraints: Constraints, values: Floats, nodes: Ints, cable_node: int, start: Floats
-) -> None:
-    """The end of a cable is at the mean position of a solid's face, which is free to turn."""
-    component = np.arange(3)
-    of = nodes[None, :] + component[:, None]
-    cable = cable_node + component
-    constraints.combine_each(cable, of, np.full(of.shape, 1.0 / len(nodes)))
-    values[cable] = start[cable] - start[of].mean(axis=1)
+        follow_mean(constraints, values, face, solid.sweep.weights, int(node))

@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from ...geometry import build_rope
+from ...output.interlacing import relative_displacement
+from ...output.interlacing_points import InterlacingPoints, crossing, find_interlacing, radial
+from ...output.rope_axis import RopeAxis, mean_axis
 from ...output.snapshot import Snapshot
+from ...output.yarn_curves import YarnCurves
+from ...system.constraints import Floats
 from ..state import State
 
 if TYPE_CHECKING:
@@ -13,4 +22,46 @@ if TYPE_CHECKING:
 
 def bent_results(model: BentRope, state: State, picture: Snapshot) -> dict[str, float]:
     """Results of a state worth a picture."""
-    return {"end_force": float(abs(model.end_forces(state.q)).mean())}
+    rope = build_rope(model.scene)
+    layer = rope.layer[rope.strand]
+    axes = mean_axis(model.lines), mean_axis(picture.centre_lines)
+    points = find_interlacing(model.lines, picture.radius, layer, axes[0])
+    slid = relative_displacement(
+        model.lines, picture.centre_lines, picture.radius, layer, points, axes
+    )
+    contacts = picture.contacts
+    assert contacts is not None
+    return {
+        "relative_displacement": slid.mean_at_crown(model.scene.length / 2.0),
+        "relative_displacement_max": slid.maximum(),
+        "crossing_points": float(len(points)),
+        "end_force": float(abs(model.end_forces(state.q)).mean()),
+        "wrong_side_crossings": float(
+            wrong_sides(model.lines, picture.centre_lines, points, axes)
+        ),
+    }
+
+
+def wrong_sides(
+    before: Sequence[Floats],
+    now: Sequence[Floats],
+    points: InterlacingPoints,
+    axes: tuple[RopeAxis, RopeAxis],
+) -> int:
+    """Number of crossings where the yarn that was outside is inside.
+
+    Args:
+        before, now: Centre lines of all yarns in two states, shape (num_nodes, 3) each, mm.
+        points: Interlacing points of the first state.
+        axes: Of the rope in both.
+    """
+    outside = []
+    for lines, axis in zip((before, now), axes, strict=True):
+        curves = YarnCurves(lines)
+        s_a, s_b, found = crossing(
+            curves, axis, points.yarn_a, points.yarn_b, points.s_a, points.s_b
+        )
+        a, b = curves(points.yarn_a, s_a), curves(points.yarn_b, s_b)
+        height = np.einsum("ij,ij->i", b - a, radial(axis, 0.5 * (a + b)))
+        outside.append(np.where(found, np.sign(height), 0.0))
+    return int(np.sum(outside[0] * outside[1] < 0.0))

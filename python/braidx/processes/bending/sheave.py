@@ -12,7 +12,7 @@ import numpy as np
 
 from ...scene import Bend, Scene
 from ...system.constraints import Floats
-from .assembly import SHEAVE
+from .surfaces import SHEAVE
 
 AXIS = np.array([1.0, 0.0, 0.0])
 

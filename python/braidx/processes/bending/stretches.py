@@ -73,5 +73,6 @@ def as_table(stretches: Sequence[Stretch]) -> Ints:
 def from_table(table: Ints) -> tuple[Stretch, ...]:
     """Stretches from `as_table`."""
     return tuple(
-        Stretch(int(yarn), MODELS[model], int(first), int(last)) for yarn, model, first, last in table
+        Stretch(int(yarn), MODELS[model], int(first), int(last))
+        for yarn, model, first, last in table
     )

@@ -1,0 +1,102 @@
+"""What may touch in a bent rope: curves as tubes, solids as skins of the contact engine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...contact.skins import SkinLayout
+from ...contact.tubes import TubeLayout
+from ...system.constraints import Ints
+from .assembly import Assembly
+
+YARN, CORE, SHEAVE = range(3)  # bodies, as far as friction is concerned
+NO_YARN = -1  # number of the core among the yarns
+
+
+@dataclass(frozen=True)
+class Surfaces:
+    """All surfaces, tubes first.
+
+    Attributes:
+        tubes, skins: As the contact engine wants them.
+        yarn: Yarn that each surface belongs to, NO_YARN for the core, shape (num_surfaces,).
+    """
+
+    tubes: TubeLayout
+    skins: SkinLayout | None
+    yarn: Ints
+
+
+def surfaces_of(assembly: Assembly) -> Surfaces:
+    """Surfaces of all bodies; two of one yarn never touch."""
+    tubes = _tubes(assembly)
+    skins, owner = _skins(assembly)
+    return Surfaces(tubes, skins, np.concatenate([_tube_yarns(assembly), owner]))
+
+
+def _tube_yarns(assembly: Assembly) -> Ints:
+    yarns = [
+        stretch.yarn
+        for model in ("cable", "beam")
+        for stretch in assembly.stretches
+        if stretch.model == model
+    ]
+    return np.array(yarns + [NO_YARN] * assembly.core_is_beam, dtype=np.int64)
+
+
+def _tubes(assembly: Assembly) -> TubeLayout:
+    yarn = _tube_yarns(assembly)
+    scene, is_core = assembly.scene, yarn == NO_YARN
+    core_radius = scene.core.radius if scene.core is not None else 0.0
+    columns: dict[str, list[np.ndarray]] = {
+        name: [] for name in ("first_unknown", "num_elements", "block", "element_length")
+    }
+    for part in (assembly.cables, assembly.beams):
+        if part is None:
+            continue
+        body, first = part
+        layout = body.layout
+        count = np.diff(layout.curve_elements)
+        length = np.add.reduceat(body.rest_lengths(), layout.curve_elements[:-1])
+        columns["first_unknown"].append(first + layout.curves[:-1] * body.block)
+        columns["num_elements"].append(count)
+        columns["block"].append(np.full(len(count), body.block))
+        columns["element_length"].append(length / count)
+    whole = {
+        name: np.concatenate(parts) if parts else np.empty(0, dtype=np.int64)
+        for name, parts in columns.items()
+    }
+    return TubeLayout(
+        degree=np.ones(len(yarn), dtype=np.int64),
+        radius=np.where(is_core, core_radius, scene.yarn.radius),
+        body=np.where(is_core, CORE, YARN),
+        group=yarn,
+        **whole,
+    )
+
+
+def _skins(assembly: Assembly) -> tuple[SkinLayout | None, Ints]:
+    facets: list[Ints] = []
+    owner: list[int] = []
+    radius: list[float] = []
+    scene = assembly.scene
+    if assembly.solids is not None:
+        body, first = assembly.solids
+        solid = [stretch for stretch in assembly.stretches if stretch.model == "solid"]
+        for part, stretch in enumerate(solid):
+            facets.append(first + 3 * body.facet_nodes("lateral", part))
+            owner.append(stretch.yarn)
+            radius.append(scene.yarn.radius)
+    if assembly.core_solid is not None:
+        assert scene.core is not None
+        body, first = assembly.core_solid
+        facets.append(first + 3 * body.facet_nodes(scene.core.surface))
+        owner.append(NO_YARN)
+        radius.append(scene.core.radius - scene.core.inner_radius)
+    numbers = np.array(owner, dtype=np.int64)
+    if not facets:
+        return None, numbers
+    kind = np.where(numbers == NO_YARN, CORE, YARN)
+    return SkinLayout(tuple(facets), kind, numbers, np.array(radius)), numbers
