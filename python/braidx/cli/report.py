@@ -64,10 +64,10 @@ def _solved_text(scene: Scene, rope: Rope) -> str:
     )
     leaders = len(np.unique(alike.leader))
     alone = one_for_all(scene) or scene.rope.pitches == 1
+    if any(isinstance(step, Bend) for step in scene.steps):
+        return f"while formed {leaders} of {rope.num_yarns} yarns, bent all of them"
     pitches = "one pitch" if alone else f"{scene.rope.pitches} pitches"
-    text = f"{pitches}, {leaders} of {rope.num_yarns} yarns"
-    bent = any(isinstance(step, Bend) for step in scene.steps)
-    return f"{text} until it is bent, then all of it" if bent else text
+    return f"{pitches}, {leaders} of {rope.num_yarns} yarns"
 
 
 def _strand_text(scene: Scene) -> str:

@@ -52,15 +52,20 @@ class Rope:
         return int(yarns[self.crossings.strand_a] @ yarns[self.crossings.strand_b])
 
 
-def build_rope(scene: Scene) -> Rope:
+def build_rope(scene: Scene, pitches: int | None = None) -> Rope:
     """Place the yarns of a scene in their start configuration, interpenetrating as they are.
 
+    Args:
+        scene: The scene.
+        pitches: Length of what is placed, in pitches; None: that of the scene's sample.
     Raises:
         SceneError: If the recipe cannot be placed (see `check_geometry`), or groups of its ends make no sense.
     """
     check_geometry(scene)
-    intervals = scene.yarn.elements_per_pitch * scene.rope.pitches * scene.yarn.degree
-    z = np.linspace(0.0, scene.length, intervals + 1, dtype=np.float64)
+    pitches = scene.rope.pitches if pitches is None else pitches
+    length = scene.rope.pitch * pitches
+    intervals = scene.yarn.elements_per_pitch * pitches * scene.yarn.degree
+    z = np.linspace(0.0, length, intervals + 1, dtype=np.float64)
     helices, layer = strand_helices(scene)
     section = strand_section(scene.strand, scene.yarn.radius)
     places = list(zip(section.ring_radius, section.phase, strict=True))
@@ -78,17 +83,17 @@ def build_rope(scene: Scene) -> Rope:
         strand=np.repeat(np.arange(len(helices)), section.num_yarns),
         layer=layer,
         strand_lines=tuple(helix.point(z) for helix in helices),
-        crossings=_crossings(scene),
-        length=scene.length,
+        crossings=_crossings(scene, length),
+        length=length,
         pitch=scene.rope.pitch,
     )
     check_end_groups(scene, rope)
     return rope
 
 
-def _crossings(scene: Scene) -> Crossings:
+def _crossings(scene: Scene, length: float) -> Crossings:
     if scene.braid is None:
         return no_crossings()
     counts = scene.braid.strands_per_direction
     matrix = motif_matrix(scene.braid.motif)
-    return find_crossings(matrix, (counts[0], counts[1]), scene.rope.pitch, scene.length)
+    return find_crossings(matrix, (counts[0], counts[1]), scene.rope.pitch, length)

@@ -4,13 +4,14 @@ Stacking order included.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from braidx.geometry.rope import Rope, build_rope
+from braidx.scene.bending import Bend
 from braidx.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -24,13 +25,15 @@ def goes_on(scene: Scene) -> bool:
 
 
 def one_for_all(scene: Scene) -> bool:
-    """Whether one pitch stands for all: they are alike if the rope goes on and is to be kept symmetric."""
+    """Whether one pitch stands for all: they are alike if the rope goes on, is to be kept symmetric and not bent."""
+    if any(isinstance(step, Bend) for step in scene.steps):
+        return False
     return goes_on(scene) and (scene.solver.symmetry or scene.rope.pitches == 1)
 
 
 def one_pitch(scene: Scene) -> Rope:
     """One pitch of the start configuration."""
-    return build_rope(replace(scene, rope=replace(scene.rope, pitches=1)))
+    return build_rope(scene, pitches=1)
 
 
 @dataclass(frozen=True)
