@@ -19,7 +19,7 @@ from braidx.geometry import (
 )
 from braidx.geometry.closed_forms import cover_factor, helix_angle
 from braidx.geometry.strand import strand_section, yarn_pitch
-from braidx.scene import Bend, Form, Scene
+from braidx.scene import Bend, Bend, Form, Scene
 
 
 def scene_table(scene: Scene, rope: Rope) -> Table:
@@ -63,11 +63,12 @@ def _solved_text(scene: Scene, rope: Rope) -> str:
         rotations(rope) if scene.solver.symmetry and not scene.ends.groups else no_rotations(rope)
     )
     leaders = len(np.unique(alike.leader))
-    alone = one_for_all(scene) or scene.rope.pitches == 1
+    bends = any(isinstance(step, Bend) for step in scene.steps)
+    alone = scene.rope.pitches == 1 or (one_for_all(scene) and not bends)
+    if any(isinstance(step, Bend) for step in scene.steps):
+        return f"while formed {leaders} of {rope.num_yarns} yarns, bent all of them"
     pitches = "one pitch" if alone else f"{scene.rope.pitches} pitches"
-    text = f"{pitches}, {leaders} of {rope.num_yarns} yarns"
-    bent = any(isinstance(step, Bend) for step in scene.steps)
-    return f"{text} until it is bent, then all of it" if bent else text
+    return f"{pitches}, {leaders} of {rope.num_yarns} yarns"
 
 
 def _strand_text(scene: Scene) -> str:

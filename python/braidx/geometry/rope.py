@@ -57,13 +57,13 @@ def build_rope(scene: Scene, pitches: int | None = None) -> Rope:
 
     Args:
         scene: The scene.
-        pitches: Length in pitches; that of the sample by default.
+        pitches: Length of what is placed, in pitches; None: that of the scene's sample.
     Raises:
         SceneError: If the recipe cannot be placed (see `check_geometry`), or groups of its ends make no sense.
     """
     check_geometry(scene)
-    pitches = pitches or scene.rope.pitches
-    length = pitches * scene.rope.pitch
+    pitches = scene.rope.pitches if pitches is None else pitches
+    length = scene.rope.pitch * pitches
     intervals = scene.yarn.elements_per_pitch * pitches * scene.yarn.degree
     z = np.linspace(0.0, length, intervals + 1, dtype=np.float64)
     helices, layer = strand_helices(scene)

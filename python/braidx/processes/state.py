@@ -35,8 +35,8 @@ class State:
 
     Attributes:
         q: Unknowns, shape (num_unknowns,); block of the model in use.
-        model: "bent" once it is clamped and bent. While the rope is formed "cell" (one pitch), "released" (from the die) and "forming" (the whole rope,
-            coming to rest), made of cables; then "cable" or "beam".
+        model: While the rope is formed "cell" (one pitch), "released" (from the die) and "forming" (the whole rope,
+            coming to rest), made of cables; then "cable" or "beam", or "bent" where it is clamped to be bent.
         reference: Unknowns of the reference state that strains are measured from, shape as q.
         rest_tension: Tension of the elements in the reference state, shape (num_elements,), N (cables).
         previous: Unknowns of a bent rope one increment before, shape as q; nothing at its start.

@@ -158,7 +158,7 @@ def test_check_tells_of_a_rope_that_is_bent(invoke):
         "D/d 3.33, flat, fixed",
         "outer diameter 12 mm, yarns overlap by up to 0.39 mm",
         "5220 as cables, 15660 as beams",
-        "one pitch, 2 of 12 yarns until it is bent",
+        "while formed 2 of 12 yarns, bent all of them",
     ):
         assert wanted in text
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from braidx.geometry import build_rope, outer_diameter
+from braidx.geometry import build_rope, one_pitch, outer_diameter
 from braidx.geometry.bending_checks import inner_radius
 from braidx.scene import SceneError, load_scene
 
@@ -19,6 +19,16 @@ def test_diameters_of_the_rope_of_paper_2():
     assert build_rope(scene).crown == scene.crown == scene.length / 2.0
     strand = load_scene(DEMOS / "twisted_strand.toml")
     assert outer_diameter(strand) == pytest.approx(2.0 * (1.72 + 0.86))
+
+
+def test_a_rope_that_is_bent_is_formed_one_pitch_long_and_bent_whole():
+    """One pitch is shorter than the ends travel, and still can be placed."""
+    scene = load_scene(BENT)
+    rope, pitch = build_rope(scene), one_pitch(scene)
+    assert rope.length == pytest.approx(4.0 * pitch.length)
+    assert len(rope.crossings) == 4 * len(pitch.crossings)
+    for whole, part in zip(rope.centre_lines, pitch.centre_lines, strict=True):
+        assert whole[: len(part)] == pytest.approx(part, abs=1e-9)
 
 
 @pytest.mark.parametrize(
