@@ -19,7 +19,7 @@ from braidx.geometry import (
 )
 from braidx.geometry.closed_forms import cover_factor, helix_angle
 from braidx.geometry.strand import strand_section, yarn_pitch
-from braidx.scene import Bend, Bend, Form, Scene
+from braidx.scene import Bend, Form, Scene
 
 
 def scene_table(scene: Scene, rope: Rope) -> Table:

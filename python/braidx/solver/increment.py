@@ -167,7 +167,8 @@ class Incrementer:
         attempt.releases += 1
         self.proximal.start = attempt.q
         self._measure(attempt)
-        return True
+        # What it held may be less than what an equilibrium may leave.
+        return attempt.residual >= options.pairing_tolerance
 
     def _update(self, attempt: _Attempt) -> None:
         """New contact elements, and the residual they leave."""

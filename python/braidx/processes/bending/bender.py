@@ -13,6 +13,7 @@ from ..outcome import NotConverged
 from ..state import State
 from .model import BentRope
 
+CALM = 0.01  # of the stabilisation that straight ropes get: a rope that bends is held by its stiffness
 HELD = 3e-4  # work of the stabilisation over the elastic energy that an increment may leave
 
 
@@ -53,7 +54,7 @@ class Bender:
         step, cuts, iterations, solves = travel - self.travel, 0, 0, 0
         solver = self.model.scene.solver
         while True:
-            factor = 4.0**cuts
+            factor = CALM * 4.0**cuts
             self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
             try:
                 increment = self._increment(step)
