@@ -100,7 +100,14 @@ TEST_CASE("C9: forces between skins sum to zero, and so do moments on flat ones"
             auto rods = two_sheets(below, above);
             const auto end_a = static_cast<std::int64_t>(3) *
                                (rods.skins[1].unknown[0] / 3); // unknowns of a come first
-            const auto contact = contact_on(std::move(rods), 0, stick, {}, 0);
+            auto contact = contact_on(std::move(rods), 0, stick, {}, 0);
+            // Points less than the penetration beside the rim meet a particle that is not right
+            // above them.
+            const auto rim = std::erase_if(contact.elements, [&](const auto& e) {
+                const auto s = local_system(contact.rods.surfaces(), e, contact.rods.q);
+                return s.separation.cross(e.normal).norm() > 1e-12;
+            });
+            CHECK(rim * 20 < contact.elements.size());
             const auto end = static_cast<std::int64_t>(contact.rods.q.size());
             const Vector residual = contact.residual();
             const Vec3 on_a = force(residual, 0, end_a);

@@ -13,13 +13,11 @@ inline ContactElements pair_up(const Rods& rods, const ContactElements& previous
     return make_contact_elements({rods.tubes, {}, rigid, rods.skins}, rods.q, previous, options);
 }
 
-/// Two sheets, facets of different kinds and sizes, the upper one `depth` deep in the lower one. No
-/// contact point of the lower one is just beside the rim of the upper one, where it would meet a
-/// particle that is not right above it.
+/// Two sheets, facets of different kinds and sizes, the upper one `depth` deep in the lower one.
 inline Rods two_sheets(FacetKind below, FacetKind above, double depth = 0.02) {
     Rods rods;
     add_rectangle(rods, below, {3, 2}, {0, 0, 0}, {3, 0, 0}, {0, 2, 0});
-    add_rectangle(rods, above, {2, 2}, {0.43, 0.27, -depth}, {0, 1.5, 0}, {2, 0, 0});
+    add_rectangle(rods, above, {2, 2}, {0.4, 0.3, -depth}, {0, 1.5, 0}, {2, 0, 0});
     return rods;
 }
 
