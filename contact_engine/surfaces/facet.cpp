@@ -54,30 +54,57 @@ FacetWeights triangle_weights(FacetKind kind, double u, double v) {
 constexpr std::array<QuadraturePoint, 3> triangle3_points = {
     {{1.0 / 6, 1.0 / 6, 1.0 / 6}, {2.0 / 3, 1.0 / 6, 1.0 / 6}, {1.0 / 6, 2.0 / 3, 1.0 / 6}}};
 
-/// Two orbits of three points (Strang and Fix), whose weights sum to 1/2.
+/// Orbit of three points of the triangle: two coordinates `near`, one what is left.
+template <std::size_t N>
+void add_orbit(std::array<QuadraturePoint, N>& out, std::size_t first, double near, double weight) {
+    const double far = 1 - 2 * near;
+    out[first] = {near, near, weight};
+    out[first + 1] = {far, near, weight};
+    out[first + 2] = {near, far, weight};
+}
+
+/// Exact to degree 4; weights sum to 1/2 (Dunavant 1985).
 std::array<QuadraturePoint, 6> triangle6_points() {
     std::array<QuadraturePoint, 6> out{};
-    const double near[] = {0.44594849091596489, 0.09157621350977073},
-                 weight[] = {0.11169079483900573, 0.05497587182766094};
-    for (std::size_t orbit = 0; orbit < 2; ++orbit) {
-        const double a = near[orbit], far = 1 - 2 * a, w = weight[orbit];
-        out[3 * orbit] = {a, a, w};
-        out[3 * orbit + 1] = {far, a, w};
-        out[3 * orbit + 2] = {a, far, w};
-    }
+    add_orbit(out, 0, 0.44594849091596489, 0.11169079483900573);
+    add_orbit(out, 3, 0.09157621350977073, 0.05497587182766094);
     return out;
 }
 
-/// Product of Gauss points on [0, 1].
+/// Exact to degree 6 (Dunavant 1985).
+std::array<QuadraturePoint, 12> triangle12_points() {
+    std::array<QuadraturePoint, 12> out{};
+    add_orbit(out, 0, 0.249286745170910, 0.5 * 0.116786275726379);
+    add_orbit(out, 3, 0.063089014491502, 0.5 * 0.050844906370207);
+    const double a = 0.310352451033784, b = 0.636502499121399, c = 1 - a - b,
+                 weight = 0.5 * 0.082851075618374;
+    const double pairs[6][2] = {{a, b}, {b, a}, {a, c}, {c, a}, {b, c}, {c, b}};
+    for (std::size_t i = 0; i < 6; ++i)
+        out[6 + i] = {pairs[i][0], pairs[i][1], weight};
+    return out;
+}
+
+/// Gauss points on [-1, 1] from the left to the middle, and their weights.
+struct HalfRule {
+    std::array<double, 2> at, weight;
+};
+template <std::size_t N> HalfRule half_rule() {
+    if constexpr (N == 2)
+        return {{-1 / std::sqrt(3.0), 0}, {1, 0}};
+    if constexpr (N == 3)
+        return {{-std::sqrt(0.6), 0}, {5.0 / 9, 8.0 / 9}};
+    const double root = 2 * std::sqrt(1.2), other = std::sqrt(30.0) / 36;
+    return {{-std::sqrt((3 + root) / 7), -std::sqrt((3 - root) / 7)}, {0.5 - other, 0.5 + other}};
+}
+
+/// Product of N x N Gauss points on [0, 1], exact to degree 2 N - 1.
 template <std::size_t N> std::array<QuadraturePoint, N * N> square_points() {
-    const double half = N == 2 ? 0.5 / std::sqrt(3.0) : 0.5 * std::sqrt(0.6);
+    const auto rule = half_rule<N>();
     std::array<double, N> at{}, weight{};
-    at.front() = 0.5 - half;
-    at.back() = 0.5 + half;
-    weight.front() = weight.back() = N == 2 ? 0.5 : 5.0 / 18;
-    if constexpr (N == 3) {
-        at[1] = 0.5;
-        weight[1] = 8.0 / 18;
+    for (std::size_t i = 0; i < (N + 1) / 2; ++i) {
+        at[i] = 0.5 + 0.5 * rule.at[i];
+        at[N - 1 - i] = 0.5 - 0.5 * rule.at[i];
+        weight[i] = weight[N - 1 - i] = 0.5 * rule.weight[i];
     }
     std::array<QuadraturePoint, N * N> out{};
     for (std::size_t j = 0; j < N; ++j)
@@ -92,20 +119,16 @@ FacetWeights facet_weights(FacetKind kind, double u, double v) {
     return is_triangle(kind) ? triangle_weights(kind, u, v) : square_weights(kind, u, v);
 }
 
-std::span<const QuadraturePoint> facet_quadrature(FacetKind kind) {
+std::span<const QuadraturePoint> facet_quadrature(FacetKind kind, bool dense) {
     static const auto triangle6 = triangle6_points();
+    static const auto triangle12 = triangle12_points();
     static const auto square4 = square_points<2>();
     static const auto square9 = square_points<3>();
-    switch (kind) {
-    case FacetKind::triangle3:
-        return triangle3_points;
-    case FacetKind::triangle6:
-        return triangle6;
-    case FacetKind::square4:
-        return square4;
-    default:
-        return square9;
-    }
+    static const auto square16 = square_points<4>();
+    const std::span<const QuadraturePoint> triangles[] = {triangle3_points, triangle6, triangle12},
+                                           squares[] = {square4, square9, square16};
+    const int which = facet_degree(kind) - 1 + dense;
+    return is_triangle(kind) ? triangles[which] : squares[which];
 }
 
 std::array<double, 2> facet_node(FacetKind kind, int node) {

@@ -37,9 +37,10 @@ struct QuadraturePoint {
     double u, v, weight;
 };
 
-/// Points at which contact is tested: exact for polynomials of degree 2 (three points of the
-/// triangle), 3 (2x2 points of the square), 4 (six points of the triangle) and 5 (3x3).
-std::span<const QuadraturePoint> facet_quadrature(FacetKind kind);
+/// Points at which contact is tested, Gauss points: on triangles three (degree 1) or six, on
+/// squares 2x2 (degree 1) or 3x3. Dense ones, for facets that do not match those they meet: six or
+/// twelve, 3x3 or 4x4.
+std::span<const QuadraturePoint> facet_quadrature(FacetKind kind, bool dense = false);
 
 /// Coordinates of a vertex or node of the reference facet.
 std::array<double, 2> facet_node(FacetKind kind, int node);

@@ -49,14 +49,15 @@ Contact fill(Rods rods, bool wall, double mu, double slide, Random& random) {
 
 Vector Contact::residual(const std::vector<double>& q, int num_threads) const {
     Vector out = Vector::Zero(static_cast<Eigen::Index>(q.size()));
-    add_residual(rods.tubes, elements, q, start, laws, {out.data(), q.size()}, num_threads);
+    add_residual(rods.surfaces(), elements, q, start, laws, {out.data(), q.size()}, num_threads);
     return out;
 }
 
 Matrix Contact::tangent(FrictionTangent tangent, int num_threads) const {
-    const auto pattern = make_pattern(rods.tubes, elements, 0, num_threads);
+    const auto pattern = make_pattern(rods.surfaces(), elements, 0, num_threads);
     std::vector<double> values(9 * pattern.row.size());
-    add_tangent(rods.tubes, elements, pattern, rods.q, start, laws, tangent, values, num_threads);
+    add_tangent(rods.surfaces(), elements, pattern, rods.q, start, laws, tangent, values,
+                num_threads);
     const auto n = static_cast<Eigen::Index>(rods.q.size());
     Matrix out = Matrix::Zero(n, n);
     for (std::size_t block = 0; block < pattern.row.size(); ++block)
@@ -71,8 +72,8 @@ double Contact::energy(const std::vector<double>& q) const {
     double out = 0;
     for (const auto& e : elements) {
         const NormalLaw law{e.stiffness * e.weight, laws.regularisation};
-        out += law.energy(reduced_gap(local_system(rods.tubes, e, q).gap,
-                                      local_system(rods.tubes, e, start).gap, laws.gap_step));
+        out += law.energy(reduced_gap(local_system(rods.surfaces(), e, q).gap,
+                                      local_system(rods.surfaces(), e, start).gap, laws.gap_step));
     }
     return out;
 }

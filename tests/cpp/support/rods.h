@@ -1,7 +1,7 @@
 #pragma once
 
 #include "random.h"
-#include "surfaces/tube.h"
+#include "surfaces/deformable.h"
 
 #include <functional>
 #include <vector>
@@ -20,10 +20,13 @@ inline constexpr Kind cable{"cable", 1, 3, false}, smooth_cable{"smooth cable", 
 inline constexpr Kind all_kinds[] = {cable, smooth_cable, quadratic_cable,
                                      beam,  smooth_beam,  quadratic_beam};
 
-/// Tubes and their unknowns in engine numbering.
+/// Tubes, and skins (patches.h), and their unknowns in engine numbering.
 struct Rods {
     std::vector<Tube> tubes;
     std::vector<double> q;
+    std::vector<Skin> skins = {};
+
+    DeformableSurfaces surfaces() const { return {tubes, skins}; }
 
     Vec3 node(std::size_t tube, std::int32_t i) const {
         return vector_at(q, tubes[tube].unknown_of(i));
@@ -42,8 +45,10 @@ struct Rods {
     /// Makes all sections of beams round again, and turns each by some rotation of its own.
     void turn_sections(Random& random);
 
-    /// The same unknowns with the tubes listed the other way round.
-    Rods reversed() const { return {{tubes.rbegin(), tubes.rend()}, q}; }
+    /// The same unknowns with the tubes, and the skins, listed the other way round.
+    Rods reversed() const {
+        return {{tubes.rbegin(), tubes.rend()}, q, {skins.rbegin(), skins.rend()}};
+    }
 };
 
 } // namespace braidx::test

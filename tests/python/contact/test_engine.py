@@ -119,7 +119,7 @@ def test_no_contact_elements_survive_a_round_trip() -> None:
 def test_shapes_of_results(press: Press) -> None:
     n = len(press.elements)
     arrays = press.elements.arrays()
-    widths = {"tubes": 2, "s": 2, "normal": 3, "slip": 3, "xi": 4, "wall": 6}
+    widths = {"tubes": 2, "s": 2, "facet": 2, "normal": 3, "slip": 3, "xi": 4, "wall": 6}
     for name, values in arrays.items():
         assert values.shape == ((n, widths[name]) if name in widths else (n,)), name
     results = engine.contact_results(press.tubes, press.elements, press.q, press.start, laws())
@@ -127,6 +127,7 @@ def test_shapes_of_results(press: Press) -> None:
         assert results[name].shape == (n,)
     for name in ("friction_force", "position"):
         assert results[name].shape == (n, 3)
+    assert results["per_area"].shape == (n,) and not results["per_area"].any()
     assert results["gap"].min() < 0 < results["normal_force"].max()
     friction = np.linalg.norm(results["friction_force"], axis=1)
     assert np.all(friction <= 0.2 * results["normal_force"] * (1 + 1e-12))
