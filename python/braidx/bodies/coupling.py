@@ -65,5 +65,7 @@ def follow_mean(
 def _checked(face_unknowns: IntArray, like: tuple[int, ...]) -> IntArray:
     face = np.asarray(face_unknowns, dtype=np.int64)
     if face.shape != (*like, 3):
-        raise ValueError(f"face_unknowns has shape {face.shape}: give {(*like, 3)}, one row per node")
+        raise ValueError(
+            f"face_unknowns has shape {face.shape}: give {(*like, 3)}, one row per node"
+        )
     return face

@@ -184,7 +184,9 @@ class SolidBody:
             raise ValueError(f"part {part} has no centre line: swept parts are {swept}")
         self.set_state(q)
         totals = self._integrals()
-        force, volume = (totals[name][sweep.cells].sum(axis=1) for name in ("axial_force", "volume"))
+        force, volume = (
+            totals[name][sweep.cells].sum(axis=1) for name in ("axial_force", "volume")
+        )
         return np.asarray(force / volume * sweep.area)
 
     def _mean(self, q: FloatArray, name: str) -> FloatArray:

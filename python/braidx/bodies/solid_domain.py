@@ -57,6 +57,4 @@ def create_solid_domain(comm: MPI.Comm, solid: SolidMesh) -> SolidDomain:
         e=basix.ufl.element("Lagrange", cell.name, cell.degree, shape=(3,)),
         partitioner=keep_cells(len(mine), comm.rank),
     )
-    return SolidDomain(
-        solid, mesh, np.asarray(mesh.topology.original_cell_index, dtype=np.int64)
-    )
+    return SolidDomain(solid, mesh, np.asarray(mesh.topology.original_cell_index, dtype=np.int64))

@@ -7,4 +7,14 @@ from .solid_mesh import SolidMesh, Sweep, join
 from .sweep import sweep
 from .templates import rectangle, round_section
 
-__all__ = ["SectionMesh", "SolidMesh", "Sweep", "from_gmsh", "join", "read_mesh", "rectangle", "round_section", "sweep"]
+__all__ = [
+    "SectionMesh",
+    "SolidMesh",
+    "Sweep",
+    "from_gmsh",
+    "join",
+    "read_mesh",
+    "rectangle",
+    "round_section",
+    "sweep",
+]

@@ -13,7 +13,16 @@ from .reference import SOLID_CELLS, FloatArray, IntArray
 from .solid_mesh import SolidMesh
 
 # Vertices and groups of vertices whose middle is a node, in the order of meshio (that of VTK).
-_HEX_VERTICES = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+_HEX_VERTICES = (
+    (0, 0, 0),
+    (1, 0, 0),
+    (1, 1, 0),
+    (0, 1, 0),
+    (0, 0, 1),
+    (1, 0, 1),
+    (1, 1, 1),
+    (0, 1, 1),
+)
 _HEX_GROUPS = "01 12 23 30 45 56 67 74 04 15 26 37 0473 1265 0154 3762 0123 4567 01234567"
 _TET_VERTICES = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
 _TET_GROUPS = "01 12 02 03 13 23"

@@ -144,7 +144,9 @@ def join(meshes: Sequence[SolidMesh]) -> SolidMesh:
     kinds = {(m.cell.name, m.degree) for m in meshes}
     if len(kinds) > 1:
         names = " and ".join(f"{name} of degree {degree}" for name, degree in sorted(kinds))
-        raise ValueError(f"meshes have {names}: one mesh takes one kind of cell; make a body of each")
+        raise ValueError(
+            f"meshes have {names}: one mesh takes one kind of cell; make a body of each"
+        )
     nodes = np.cumsum([0] + [m.num_nodes for m in meshes])
     cells = np.cumsum([0] + [m.num_cells for m in meshes])
     parts = np.cumsum([0] + [m.num_parts for m in meshes])
@@ -163,7 +165,5 @@ def join(meshes: Sequence[SolidMesh]) -> SolidMesh:
             for i, mesh in enumerate(meshes)
             for part, sweep in mesh.sweeps.items()
         },
-        part_names=tuple(
-            name for m in meshes for name in m.part_names or [""] * m.num_parts
-        ),
+        part_names=tuple(name for m in meshes for name in m.part_names or [""] * m.num_parts),
     )

@@ -11,9 +11,7 @@ from .section import SectionMesh
 from .solid_mesh import SolidMesh, Sweep
 
 
-def sweep(
-    line: FloatArray, section: SectionMesh, directors: FloatArray | None = None
-) -> SolidMesh:
+def sweep(line: FloatArray, section: SectionMesh, directors: FloatArray | None = None) -> SolidMesh:
     """Hexahedra along a line, one layer of nodes in the plane of the directors at each of its points.
 
     Args:

@@ -58,7 +58,9 @@ def round_section(
     """
     _positive(radius, "radius")
     if not 0.0 <= inner_radius < radius:
-        raise ValueError(f"inner_radius is {inner_radius} mm: give 0 or less than radius ({radius} mm)")
+        raise ValueError(
+            f"inner_radius is {inner_radius} mm: give 0 or less than radius ({radius} mm)"
+        )
     if rings < 1:
         raise ValueError(f"rings is {rings}: give at least 1")
     if inner_radius > 0.0:
@@ -97,9 +99,7 @@ def _chord(curve: Curve) -> Curve:
 
 def _between(inner: Curve, outer: Curve, counts: tuple[int, int]) -> _Block:
     """Straight lines along u from a curve at u = 0 to one at u = 1, both run through along v."""
-    return _Block(
-        lambda u, v: (1.0 - u)[..., None] * inner(v) + u[..., None] * outer(v), counts
-    )
+    return _Block(lambda u, v: (1.0 - u)[..., None] * inner(v) + u[..., None] * outer(v), counts)
 
 
 def _patch(south: Curve, north: Curve, west: Curve, east: Curve, count: int) -> _Block:
@@ -116,7 +116,9 @@ def _patch(south: Curve, north: Curve, west: Curve, east: Curve, count: int) -> 
 def _ring(inner: float, outer: float, seeds: int, rings: int) -> list[_Block]:
     step = 2.0 * math.pi / seeds
     return [
-        _between(_arc(inner, i * step, (i + 1) * step), _arc(outer, i * step, (i + 1) * step), (rings, 1))
+        _between(
+            _arc(inner, i * step, (i + 1) * step), _arc(outer, i * step, (i + 1) * step), (rings, 1)
+        )
         for i in range(seeds)
     ]
 
@@ -176,7 +178,9 @@ def _sample(block: _Block, degree: int) -> tuple[FloatArray, IntArray]:
     counts = np.array(block.counts)
     sides = [np.linspace(0.0, 1.0, degree * n + 1) for n in counts]
     u, v = (grid.ravel() for grid in np.meshgrid(*sides, indexing="ij"))
-    corner = np.stack(np.meshgrid(*map(np.arange, counts), indexing="ij"), axis=-1).reshape(-1, 1, 2)
+    corner = np.stack(np.meshgrid(*map(np.arange, counts), indexing="ij"), axis=-1).reshape(
+        -1, 1, 2
+    )
     grid = degree * corner + np.round(degree * QUADS[degree].points).astype(np.int64)
     return block.place(u, v), grid[..., 0] * (degree * counts[1] + 1) + grid[..., 1]
 
