@@ -20,7 +20,7 @@ class Isotropic(NamedTuple):
 
 
 class Split(NamedTuple):
-    """Energy per reference volume, MPa, in shares of which none is ever negative.
+    """Energy per reference volume, MPa, in shares of which none is ever negative without prestress.
 
     Without a fibre `axial` and `shear` are None, `shape` is the energy of the whole change of shape and `volume` that
     of the change of volume.

@@ -1,8 +1,24 @@
-"""Quadratures of solids: which share of the energy is integrated where.
+"""Which share of a solid's energy is integrated where, and what is told about its stress.
 
-Hexahedra of degree 1 lock in bending, as they shear where they should curve, and where volume is kept.
-One Gauss point cures both and leaves zigzags free (hourglass). The shares of a law (hyperelastic.Split) therefore
-take different points: ...
+Hexahedra of degree 1 lock, full integration makes them shear where they should curve and hold the volume where they
+should contract; one Gauss point cures both and leaves zigzags free (hourglass). Each share of a law
+(hyperelastic.Split) therefore takes points of its own. Where the third axis of the cells runs along the fibre:
+
+    fibre's strain             2 x 2 x 2: it varies linearly over the section, and contraction across is free in it
+    shear along the fibre      2 x 2 x 1: torsion varies over the section, what varies along the cell is parasitic
+    change of the section's    centre: no contraction is held up
+      area
+    change of its shape        1 - SECTION_SHARE at the centre, SECTION_SHARE at 2 x 2 x 2: no zigzag is free
+
+Measured, slender bars of square or round section with 1 to 6 cells over it, aspect ratio of the cells up to 5, nu up to
+0.49: deflection under a load at the end 0.97 to 1.00 of Timoshenko's, torsion of round bars within 0.2 %. Full
+integration gives 0.1 to 0.9, the centre alone 1.02 to 1.3 of the deflection with 2 cells or more and a mechanism with
+one. The share 0.5 is the one with which a round section of 12 seeds that is squeezed to an ellipse yields as it should
+(1.00 with an o-grid, 1.06 with wedges; 1.05 and 2.4 with a share of 0.1).
+
+Laws without a fibre take the change of volume at the centre, and HOURGLASS of the change of shape at 2 x 2 x 2, the
+rest at 2 x 2 x 1 points where cells follow a line (deflection 0.98 to 1.07 with 2 cells or more) and else at the centre
+(1.00 to 1.28, best with 4 or more). Degree 2 is integrated in full: 27 points, deflection within 1 %, also for nu = 0.49.
 """
 
 from typing import Any, NamedTuple
@@ -13,8 +29,8 @@ from .curve import Part
 from .hyperelastic import Split, stress, von_mises
 
 FULL = {1: 3, 2: 5}  # degree of quadrature with 2 or 3 Gauss points along each axis
-HOURGLASS = 0.5
-"""Share of full integration."""
+SECTION_SHARE = 0.5  # of the section's change of shape that is integrated in full
+HOURGLASS = 0.1  # likewise of the strain of laws without a fibre, and of cells that follow none
 
 _LOW, _HIGH = 0.5 - 0.5 / 3.0**0.5, 0.5 + 0.5 / 3.0**0.5
 _MIDDLE_POINTS = tuple((u, v, 0.5) for u in (_LOW, _HIGH) for v in (_LOW, _HIGH))
@@ -39,22 +55,21 @@ def energy(split: Split, cell: str, degree: int, swept: bool) -> list[Part]:
         return [Part(straining + split.volume, degree)]
     if degree == 2:
         return [Part(straining + split.volume, FULL[2])]
-    share = HOURGLASS
     if not swept:
         return [
-            Part((1.0 - share) * straining + split.volume, 1),
-            Part(share * straining, FULL[1]),
+            Part((1.0 - HOURGLASS) * straining + split.volume, 1),
+            Part(HOURGLASS * straining, FULL[1]),
         ]
-    if split.axial is not None:
+    if split.axial is None:
         return [
-            Part(split.axial + share * split.shape, FULL[1]),
-            middle(split.shear),
-            Part((1.0 - share) * split.shape + split.volume, 1),
+            Part(HOURGLASS * split.shape, FULL[1]),
+            middle((1.0 - HOURGLASS) * split.shape),
+            Part(split.volume, 1),
         ]
     return [
-        Part(share * split.shape, FULL[1]),
-        middle((1.0 - share) * split.shape),
-        Part(split.volume, 1),
+        Part(split.axial + SECTION_SHARE * split.shape, FULL[1]),
+        middle(split.shear),
+        Part((1.0 - SECTION_SHARE) * split.shape + split.volume, 1),
     ]
 
 

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies.frames import nodal_tangents
 from .reference import SOLID_CELLS, FloatArray
 
 if TYPE_CHECKING:
@@ -82,9 +81,12 @@ def _bend(sweep: Sweep, cell: int) -> str:
     """How a swept part is bent at a cell, and what helps."""
     element = int(np.argwhere(sweep.cells == cell)[0, 0])
     first = element * (len(sweep.layers) - 1) // len(sweep.cells)
-    tangents = nodal_tangents(sweep.line)[[first, first + 1]]
-    step = np.linalg.norm(sweep.line[first + 1] - sweep.line[first])
-    turn = np.linalg.norm(tangents[1] - tangents[0])
+    steps = np.diff(sweep.line, axis=0)
+    lengths = np.linalg.norm(steps, axis=1)
+    near = slice(max(first - 1, 0), first + 2)
+    tangents = steps[near] / lengths[near, None]
+    turn = np.linalg.norm(np.diff(tangents, axis=0), axis=1).max(initial=1e-300)
+    step = lengths[first]
     radius = step / max(turn, 1e-300)
     reach = np.linalg.norm(sweep.section, axis=1).max()
     return (
