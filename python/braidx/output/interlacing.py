@@ -49,7 +49,8 @@ class RelativeDisplacement:
         """
         far = np.round(np.abs(self.reference.position[:, 2] - crown), 6)
         height = np.round(self.reference.position[:, 1], 6)
-        return np.lexsort((-height, far))[:count].astype(np.int64)
+        order = np.asarray(np.lexsort((-height, far)), dtype=np.int64)
+        return order[:count]
 
     def mean_at_crown(self, crown: float, count: int = NEAREST) -> float:
         """Mean over the `count` interlacing points nearest to z = crown, mm; NaN without any."""

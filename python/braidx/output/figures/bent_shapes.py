@@ -1,0 +1,109 @@
+"""Tubes and surfaces that a bent rope is drawn with."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from enum import Enum
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.colors import Normalize, to_rgb
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from braidx.output.figures.raycast import Tubes
+from braidx.output.figures.rope import tubes
+from braidx.output.figures.style import yarn_colours
+from braidx.output.figures.triangles import Triangles, smooth_normals
+from braidx.output.skin_picture import SkinPicture
+from braidx.output.snapshot import Array, Snapshot
+
+STRESS_MAP = colormaps["viridis"]
+CORE_COLOUR = to_rgb("#b9b1a1")
+_HOLE_COLOUR = to_rgb("#4a4640")
+_UNKNOWN = to_rgb("#c9ccd1")
+_NEAR = 1.15  # yarn radii from a skin: there the tube of the yarn lies within the skin
+
+
+class Colouring(Enum):
+    """What colours mean."""
+
+    YARN = "yarn"
+    STRESS = "stress"
+
+
+def shapes(
+    snapshot: Snapshot, colouring: Colouring, scale: Normalize | None = None
+) -> list[Tubes | Triangles]:
+    """Everything of the rope; what is drawn as a surface is not drawn as a tube as well.
+
+    Args:
+        snapshot: The rope.
+        colouring: By yarn, or by stress: von Mises on surfaces, magnitude of the axial stress on
+            tubes, which is the same in a yarn that is only pulled.
+        scale: Of the stress, MPa.
+    """
+    yarns = yarn_colours(snapshot)
+    parts: list[Tubes | Triangles] = _core_tubes(snapshot)
+    if colouring is Colouring.STRESS and scale is not None and snapshot.axial_stress is not None:
+        colours = [STRESS_MAP(scale(np.abs(s)))[:, :3] for s in snapshot.axial_stress]
+    elif colouring is Colouring.STRESS:
+        colours = [np.array([_UNKNOWN])] * snapshot.num_yarns
+    else:
+        colours = list(yarns[:, None])
+    for yarn in range(snapshot.num_yarns):
+        whole = tubes(snapshot, colours, [yarn])
+        shown = ~_covered(snapshot, yarn, 0.5 * (whole.start + whole.end))
+        if shown.any():
+            kept = {field.name: getattr(whole, field.name)[shown] for field in fields(Tubes)}
+            parts.append(Tubes(**kept))
+    for skin in snapshot.skins:
+        if colouring is Colouring.STRESS and scale is not None:
+            colour = STRESS_MAP(scale(skin.von_mises))[:, :3]
+            colour = np.where(np.isfinite(skin.von_mises)[:, None], colour, _UNKNOWN)
+        else:
+            colour = np.concatenate([yarns, [CORE_COLOUR]])[skin.owner]  # -1 is the core
+        parts.append(_surface(skin, colour))
+    return parts
+
+
+def stresses(snapshot: Snapshot) -> Array:
+    """All stresses that `shapes` shows, MPa; empty if there are none."""
+    found = [skin.von_mises[np.isfinite(skin.von_mises)] for skin in snapshot.skins]
+    if snapshot.axial_stress is not None:
+        for line, stress, yarn in zip(
+            snapshot.centre_lines, snapshot.axial_stress, range(snapshot.num_yarns)
+        ):
+            found.append(np.abs(stress[~_covered(snapshot, yarn, 0.5 * (line[1:] + line[:-1]))]))
+    return np.concatenate([np.empty(0), *found])
+
+
+def _covered(snapshot: Snapshot, yarn: int, places: Array) -> NDArray[np.bool_]:
+    """Whether places on a yarn's centre line lie within a skin of that yarn."""
+    covered = np.zeros(len(places), dtype=bool)
+    for skin in snapshot.skins:
+        used = np.unique(skin.faces[skin.owner == yarn])
+        if len(used):
+            distance = cKDTree(skin.points[used]).query(places)[0]
+            covered |= distance < _NEAR * snapshot.radius[yarn]
+    return covered
+
+
+def _core_tubes(snapshot: Snapshot) -> list[Tubes | Triangles]:
+    """The core as a tube, with its bore on top where a cut shows it; none if it has a skin."""
+    core = snapshot.core
+    if core is None or any((skin.owner == -1).any() for skin in snapshot.skins):
+        return []
+    radii = [(core.radius, CORE_COLOUR)]
+    if core.inner_radius > 0.0:
+        radii.append((core.inner_radius, _HOLE_COLOUR))
+    strand = np.zeros(1, dtype=np.int64)
+    return [
+        tubes(Snapshot("core", (core.line,), np.array([radius]), strand), [np.array([colour])])
+        for radius, colour in radii
+    ]
+
+
+def _surface(skin: SkinPicture, colour: Array) -> Triangles:
+    corners, face = skin.triangles()
+    return Triangles(skin.points, smooth_normals(skin.points, corners), corners, colour[face])
