@@ -10,7 +10,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
 from braidx.output.figures.bent_shapes import STRESS_MAP, Colouring, shapes, stresses
-from braidx.output.figures.raycast import Tubes, View
+from braidx.output.figures.raycast import View
 from braidx.output.figures.shade import render_parts
 from braidx.output.figures.sheave_shape import sheave_surface
 from braidx.output.figures.style import INK, figure, panels, save, styled
@@ -20,7 +20,7 @@ from braidx.output.snapshot import Array, Snapshot
 
 PIXELS_ACROSS = 1300
 _X, _Y, _Z = np.eye(3)
-_ASLANT = np.array([-0.80, 0.42, -0.50])  # towards the eye
+_ASLANT = np.array([-0.80, 0.42, 0.50])  # towards the eye
 
 
 @styled
@@ -59,8 +59,10 @@ def draw_aslant(snapshot: Snapshot, path: Path, colouring: Colouring = Colouring
     (ax,) = panels(page, 1, 1)
     ax.imshow(bent_image(snapshot, view, colouring, scale), extent=(0, view.width, 0, view.height))
     bar = float(2 * 10 ** np.floor(np.log10(0.2 * view.width)))
-    ax.plot([0.0, bar], [0.0, 0.0], color=INK, lw=2.0, clip_on=False)
-    ax.text(0.5 * bar, 0.012 * view.width, f"{bar:g} mm", ha="center", va="bottom")
+    below = -0.02 * view.width
+    ax.plot([0.0, bar], [below, below], color=INK, lw=2.0)
+    ax.text(1.05 * bar, below, f"{bar:g} mm", ha="left", va="center")
+    ax.set_ylim(2 * below, view.height)
     ax.set_axis_off()
     ax.set_title(f"{snapshot.name}: {snapshot.num_yarns} yarns{_ratio(snapshot)}")
     if scale is not None:
@@ -72,7 +74,7 @@ def bent_image(
     snapshot: Snapshot, view: View, colouring: Colouring, scale: Normalize | None = None
 ) -> Array:
     """Rope and sheave in a view, shape (rows, columns, 4)."""
-    parts: list[Tubes | Triangles] = shapes(snapshot, colouring, scale)
+    parts = shapes(snapshot, colouring, scale)
     if snapshot.sheave is not None:
         parts.insert(0, sheave_surface(snapshot.sheave, _rope_radius(snapshot)))
     return render_parts(parts, view, float(np.median(snapshot.radius)))
@@ -110,7 +112,7 @@ def stress_scale(snapshot: Snapshot) -> Normalize:
 def _fill_side(
     ax: Axes,
     snapshot: Snapshot,
-    parts: list[Tubes | Triangles],
+    parts: list[Triangles],
     low: Array,
     high: Array,
     cut: bool = False,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
 from enum import Enum
 
 import numpy as np
@@ -11,9 +10,8 @@ from matplotlib.colors import Normalize, to_rgb
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from braidx.output.figures.raycast import Tubes
-from braidx.output.figures.rope import tubes
 from braidx.output.figures.style import yarn_colours
+from braidx.output.figures.swept import swept
 from braidx.output.figures.triangles import Triangles, smooth_normals
 from braidx.output.skin_picture import SkinPicture
 from braidx.output.snapshot import Array, Snapshot
@@ -34,7 +32,7 @@ class Colouring(Enum):
 
 def shapes(
     snapshot: Snapshot, colouring: Colouring, scale: Normalize | None = None
-) -> list[Tubes | Triangles]:
+) -> list[Triangles]:
     """Everything of the rope; what is drawn as a surface is not drawn as a tube as well.
 
     Args:
@@ -44,7 +42,7 @@ def shapes(
         scale: Of the stress, MPa.
     """
     yarns = yarn_colours(snapshot)
-    parts: list[Tubes | Triangles] = _core_tubes(snapshot)
+    parts = _core_tubes(snapshot)
     if colouring is Colouring.STRESS and scale is not None and snapshot.axial_stress is not None:
         colours = [STRESS_MAP(scale(np.abs(s)))[:, :3] for s in snapshot.axial_stress]
     elif colouring is Colouring.STRESS:
@@ -52,18 +50,18 @@ def shapes(
     else:
         colours = list(yarns[:, None])
     for yarn in range(snapshot.num_yarns):
-        whole = tubes(snapshot, colours, [yarn])
-        shown = ~_covered(snapshot, yarn, 0.5 * (whole.start + whole.end))
-        if shown.any():
-            kept = {field.name: getattr(whole, field.name)[shown] for field in fields(Tubes)}
-            parts.append(Tubes(**kept))
+        line, colour = snapshot.centre_lines[yarn], colours[yarn]
+        for first, last in _bare_stretches(snapshot, yarn):
+            piece = colour[first : last - 1] if len(colour) > 1 else colour
+            parts.append(swept(line[first:last], float(snapshot.radius[yarn]), piece))
     for skin in snapshot.skins:
         if colouring is Colouring.STRESS and scale is not None:
             colour = STRESS_MAP(scale(skin.von_mises))[:, :3]
             colour = np.where(np.isfinite(skin.von_mises)[:, None], colour, _UNKNOWN)
         else:
             colour = np.concatenate([yarns, [CORE_COLOUR]])[skin.owner]  # -1 is the core
-        parts.append(_surface(skin, colour))
+        inside = np.array(_UNKNOWN) if colouring is Colouring.STRESS else None
+        parts.append(_surface(skin, colour, inside))
     return parts
 
 
@@ -89,7 +87,17 @@ def _covered(snapshot: Snapshot, yarn: int, places: Array) -> NDArray[np.bool_]:
     return covered
 
 
-def _core_tubes(snapshot: Snapshot) -> list[Tubes | Triangles]:
+def _bare_stretches(snapshot: Snapshot, yarn: int) -> list[tuple[int, int]]:
+    """Runs of nodes first ... last - 1 of a yarn that no skin covers, two nodes or more."""
+    line = snapshot.centre_lines[yarn]
+    bare = ~_covered(snapshot, yarn, line)
+    # A tube reaches to the first node within the skin, so that no gap is left between them.
+    bare[1:-1] |= bare[:-2] | bare[2:]
+    ends = np.flatnonzero(np.diff(np.concatenate([[0], bare.astype(int), [0]])))
+    return [(int(a), int(b)) for a, b in ends.reshape(-1, 2) if b - a > 1]
+
+
+def _core_tubes(snapshot: Snapshot) -> list[Triangles]:
     """The core as a tube, with its bore on top where a cut shows it; none if it has a skin."""
     core = snapshot.core
     if core is None or any((skin.owner == -1).any() for skin in snapshot.skins):
@@ -97,13 +105,10 @@ def _core_tubes(snapshot: Snapshot) -> list[Tubes | Triangles]:
     radii = [(core.radius, CORE_COLOUR)]
     if core.inner_radius > 0.0:
         radii.append((core.inner_radius, _HOLE_COLOUR))
-    strand = np.zeros(1, dtype=np.int64)
-    return [
-        tubes(Snapshot("core", (core.line,), np.array([radius]), strand), [np.array([colour])])
-        for radius, colour in radii
-    ]
+    return [swept(core.line, radius, np.array([colour])) for radius, colour in radii]
 
 
-def _surface(skin: SkinPicture, colour: Array) -> Triangles:
+def _surface(skin: SkinPicture, colour: Array, inside: Array | None) -> Triangles:
     corners, face = skin.triangles()
-    return Triangles(skin.points, smooth_normals(skin.points, corners), corners, colour[face])
+    normals = smooth_normals(skin.points, corners)
+    return Triangles(skin.points, normals, corners, colour[face], inside)

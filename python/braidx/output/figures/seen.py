@@ -48,6 +48,7 @@ def _see_tubes(tubes: Tubes, view: View) -> Seen:
 
 def _see_triangles(triangles: Triangles, view: View) -> Seen:
     fragments = rasterise(triangles, view)
-    return Seen(
-        fragments.depth, triangles.colour[fragments.triangle], fragments.normal, fragments.is_cut
-    )
+    colour = triangles.colour[fragments.triangle]
+    if triangles.inside is not None:
+        colour[fragments.is_cut] = triangles.inside
+    return Seen(fragments.depth, colour, fragments.normal, fragments.is_cut)

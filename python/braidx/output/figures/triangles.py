@@ -27,6 +27,7 @@ class Triangles:
     normals: Array  # (n, 3), unit, outward
     corners: NDArray[np.int64]  # (m, 3)
     colour: Array  # (m, 3), red, green, blue, 0..1
+    inside: Array | None = None  # (3,), of cut faces; None: that of the triangle behind
 
 
 @dataclass(frozen=True)
@@ -70,9 +71,10 @@ def rasterise(triangles: Triangles, view: View) -> Fragments:
         second = (x * edge_2[who, 1] - y * edge_2[who, 0]) / double_area[who]
         third = (y * edge_1[who, 0] - x * edge_1[who, 1]) / double_area[who]
         z = corner[who, 0, 2] + second * edge_1[who, 2] + third * edge_2[who, 2]
+        pixel = row * columns + column
         hit = (second >= 0) & (third >= 0) & (second + third <= 1) & (z <= view.cut_depth)
-        who, z, second, third = who[hit], z[hit], second[hit], third[hit]
-        pixel = row[hit] * columns + column[hit]
+        hit &= z > depth[pixel]
+        who, z, second, third, pixel = who[hit], z[hit], second[hit], third[hit], pixel[hit]
         np.maximum.at(depth, pixel, z)
         front = np.flatnonzero(z == depth[pixel])
         pixel, who = pixel[front], who[front]
