@@ -69,28 +69,29 @@ def stresses(snapshot: Snapshot) -> Array:
     """All stresses that `shapes` shows, MPa; empty if there are none."""
     found = [skin.von_mises[np.isfinite(skin.von_mises)] for skin in snapshot.skins]
     if snapshot.axial_stress is not None:
-        for line, stress, yarn in zip(
-            snapshot.centre_lines, snapshot.axial_stress, range(snapshot.num_yarns)
-        ):
-            found.append(np.abs(stress[~_covered(snapshot, yarn, 0.5 * (line[1:] + line[:-1]))]))
+        for yarn, stress in enumerate(snapshot.axial_stress):
+            covered = _covered(snapshot, yarn)
+            found.append(np.abs(stress[~(covered[1:] & covered[:-1])]))
     return np.concatenate([np.empty(0), *found])
 
 
-def _covered(snapshot: Snapshot, yarn: int, places: Array) -> NDArray[np.bool_]:
-    """Whether places on a yarn's centre line lie within a skin of that yarn."""
-    covered = np.zeros(len(places), dtype=bool)
+def _covered(snapshot: Snapshot, yarn: int) -> NDArray[np.bool_]:
+    """Whether nodes of a yarn's centre line lie within a skin of that yarn."""
+    line = snapshot.centre_lines[yarn]
+    covered = np.zeros(len(line), dtype=bool)
     for skin in snapshot.skins:
-        used = np.unique(skin.faces[skin.owner == yarn])
-        if len(used):
-            distance = cKDTree(skin.points[used]).query(places)[0]
+        faces = skin.faces[skin.owner == yarn]
+        if len(faces):
+            corners = skin.points[faces]
+            places = np.concatenate([corners.reshape(-1, 3), corners.mean(axis=1)])
+            distance = cKDTree(places).query(line)[0]
             covered |= distance < _NEAR * snapshot.radius[yarn]
     return covered
 
 
 def _bare_stretches(snapshot: Snapshot, yarn: int) -> list[tuple[int, int]]:
     """Runs of nodes first ... last - 1 of a yarn that no skin covers, two nodes or more."""
-    line = snapshot.centre_lines[yarn]
-    bare = ~_covered(snapshot, yarn, line)
+    bare = ~_covered(snapshot, yarn)
     # A tube reaches to the first node within the skin, so that no gap is left between them.
     bare[1:-1] |= bare[:-2] | bare[2:]
     ends = np.flatnonzero(np.diff(np.concatenate([[0], bare.astype(int), [0]])))
