@@ -44,12 +44,14 @@ class RelativeDisplacement:
         """The `count` interlacing points nearest to the crown.
 
         The paper says "near the maximum bending point" and takes four, not which. Here nearness is
-        |z - crown| in the straight rope; of points at equal distance (to a millionth of a mm) those
-        farther from the sheave, that is with larger y, come first.
+        |z - crown| in the straight rope; of points at equal distance (to a tenth of a mm, since a
+        computed rope is not quite regular) those farther from the sheave, that is with larger y,
+        come first.
         """
-        far = np.round(np.abs(self.reference.position[:, 2] - crown), 6)
-        height = np.round(self.reference.position[:, 1], 6)
-        return np.lexsort((-height, far))[:count].astype(np.int64)
+        far = np.round(np.abs(self.reference.position[:, 2] - crown), 1)
+        height = np.round(self.reference.position[:, 1], 1)
+        order = np.asarray(np.lexsort((-height, far)), dtype=np.int64)
+        return order[:count]
 
     def mean_at_crown(self, crown: float, count: int = NEAREST) -> float:
         """Mean over the `count` interlacing points nearest to z = crown, mm; NaN without any."""

@@ -153,7 +153,7 @@ def _distinct(points: InterlacingPoints) -> InterlacingPoints:
 
 def _turn(u: Array, v: Array, along: Array) -> Array:
     """Part of u x v along the axis."""
-    return _dot(np.cross(u, v), along)
+    return _dot(np.asarray(np.cross(u, v)), along)
 
 
 def _dot(u: Array, v: Array) -> Array:

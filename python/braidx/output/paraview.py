@@ -1,7 +1,7 @@
-"""Files for ParaView: tubes of the yarns, section frames, contact elements, as time series.
+"""Files for ParaView: yarns, core, surfaces of solids, contact elements, as time series.
 
-Every name of an array states its unit. `tubes.pvd`, `sections.pvd` and `contacts.pvd` are opened in
-ParaView; their time is the increment.
+Every name of an array states its unit. `tubes.pvd`, `sections.pvd`, `contacts.pvd`, `skins.pvd` and
+`core.pvd` are opened in ParaView; their time is the increment.
 """
 
 from __future__ import annotations
@@ -16,11 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from braidx.output import vtp
+from braidx.output.arrays import Integers
 from braidx.output.cuts import frames, node_tangents
 from braidx.output.measures import layers
 from braidx.output.snapshot import Array, Snapshot
 
+_KINDS = ("tubes", "sections", "contacts", "skins", "core")
 _SIDES = 10  # of a tube
+_CORE_SIDES = 24
 _ENTRY = re.compile(r'timestep="(\d+)" file="([^"]+)"')
 
 
@@ -35,7 +38,7 @@ class Series:
     def __init__(self, folder: Path, after: int | None = None) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         self._folder = folder
-        self._entries: dict[str, dict[int, str]] = {"tubes": {}, "sections": {}, "contacts": {}}
+        self._entries: dict[str, dict[int, str]] = {kind: {} for kind in _KINDS}
         if after is not None:
             for kind, entries in self._entries.items():
                 index = folder / f"{kind}.pvd"
@@ -43,12 +46,16 @@ class Series:
                 entries.update({int(t): f for t, f in _ENTRY.findall(text) if int(t) <= after})
 
     def append(self, snapshot: Snapshot, increment: int) -> None:
-        """Write one state; section frames only of beams, contact elements only where given."""
+        """Write one state; of all but the tubes only what the snapshot has."""
         writers = {"tubes": write_tubes}
         if snapshot.directors is not None:
             writers["sections"] = write_sections
         if snapshot.contacts is not None:
             writers["contacts"] = write_contacts
+        if snapshot.skins:
+            writers["skins"] = write_skins
+        if snapshot.core is not None:
+            writers["core"] = write_core
         for kind, write in writers.items():
             name = f"{kind}_{increment:05d}.vtp"
             write(snapshot, self._folder / name)
@@ -76,19 +83,12 @@ def sections(snapshot: Snapshot) -> Iterator[Array]:
 
 def write_tubes(snapshot: Snapshot, path: Path) -> None:
     """Surfaces of the yarns, with strand, layer, yarn, tension and axial stress per face."""
-    angle = np.linspace(0.0, 2 * np.pi, _SIDES, endpoint=False)
-    circle = np.stack([np.cos(angle), np.sin(angle)])
     points, faces, owner = [], [], []
     offset = 0
     for yarn, (line, section) in enumerate(zip(snapshot.centre_lines, sections(snapshot))):
-        ring = line[:, None] + snapshot.radius[yarn] * np.einsum("nkc,ks->nsc", section, circle)
-        points.append(ring.reshape(-1, 3))
-        first = offset + _SIDES * np.arange(len(line) - 1)[:, None] + np.arange(_SIDES)
-        second = (
-            offset + _SIDES * np.arange(len(line) - 1)[:, None] + (np.arange(_SIDES) + 1) % _SIDES
-        )
-        quads = np.stack([first, second, second + _SIDES, first + _SIDES], axis=-1)
-        faces.append(quads.reshape(-1, 4))
+        ring, quads = _tube(line, section, float(snapshot.radius[yarn]), _SIDES)
+        points.append(ring)
+        faces.append(quads + offset)
         owner.append(np.full(len(faces[-1]), yarn))
         offset += len(points[-1])
     yarn_of = np.concatenate(owner)
@@ -102,6 +102,58 @@ def write_tubes(snapshot: Snapshot, path: Path) -> None:
     if snapshot.axial_stress is not None:
         data["axial stress (MPa)"] = np.concatenate(snapshot.axial_stress).repeat(_SIDES)
     vtp.write(path, np.concatenate(points), {"Polys": np.concatenate(faces)}, cell_data=data)
+
+
+def write_core(snapshot: Snapshot, path: Path) -> None:
+    """Surface of the core about its line, and of its bore; "inner (-)" is 1 on the bore.
+
+    Raises:
+        ValueError: If the snapshot has no core.
+    """
+    core = snapshot.core
+    if core is None:
+        raise ValueError(f"Snapshot {snapshot.name!r} has no core to write.")
+    radii = [core.radius] + [core.inner_radius] * (core.inner_radius > 0.0)
+    section = frames(node_tangents(core.line))
+    parts = [_tube(core.line, section, radius, _CORE_SIDES) for radius in radii]
+    faces = [quads + number * len(parts[0][0]) for number, (_, quads) in enumerate(parts)]
+    data = {"inner (-)": np.repeat(np.arange(len(parts)), len(faces[0]))}
+    points = np.concatenate([ring for ring, _ in parts])
+    vtp.write(path, points, {"Polys": np.concatenate(faces)}, cell_data=data)
+
+
+def write_skins(snapshot: Snapshot, path: Path) -> None:
+    """Surfaces of solids with von Mises stress and owner (the yarn, -1 the core) per face.
+
+    Quadrilaterals are written as two triangles.
+
+    Raises:
+        ValueError: If the snapshot has no skins.
+    """
+    if not snapshot.skins:
+        raise ValueError(f"Snapshot {snapshot.name!r} has no skins to write.")
+    faces, stress, owner = [], [], []
+    offset = 0
+    for skin in snapshot.skins:
+        corners, face = skin.triangles()
+        faces.append(corners + offset)
+        stress.append(skin.von_mises[face])
+        owner.append(skin.owner[face])
+        offset += len(skin.points)
+    data = {"yarn (-)": np.concatenate(owner), "von Mises (MPa)": np.concatenate(stress)}
+    points = np.concatenate([skin.points for skin in snapshot.skins])
+    vtp.write(path, points, {"Polys": np.concatenate(faces)}, cell_data=data)
+
+
+def _tube(line: Array, section: Array, radius: float, sides: int) -> tuple[Array, Integers]:
+    """Points of a tube, ring by ring, and its quadrilaterals."""
+    angle = np.linspace(0.0, 2 * np.pi, sides, endpoint=False)
+    circle = np.stack([np.cos(angle), np.sin(angle)])
+    ring = line[:, None] + radius * np.einsum("nkc,ks->nsc", section, circle)
+    first = sides * np.arange(len(line) - 1)[:, None] + np.arange(sides)
+    second = sides * np.arange(len(line) - 1)[:, None] + (np.arange(sides) + 1) % sides
+    quads = np.stack([first, second, second + sides, first + sides], axis=-1)
+    return ring.reshape(-1, 3), quads.reshape(-1, 4)
 
 
 def write_sections(snapshot: Snapshot, path: Path) -> None:
@@ -141,5 +193,8 @@ def write_contacts(snapshot: Snapshot, path: Path) -> None:
         "friction work (mJ)": table.work,
         "yarn a (-)": table.yarn_a,
         "yarn b (-)": table.yarn_b,
+        "kind (-)": table.kind,
+        "length (mm) or area (mm2)": table.measure,
+        "per area (-)": table.per_area.astype(np.int64),
     }
     vtp.write(path, table.position, {"Verts": np.arange(len(table.gap))[:, None]}, point_data=data)

@@ -136,7 +136,7 @@ def load(path: Path) -> Snapshot:
             if key in data:
                 lengths = counts - 1 if key in ("tension", "axial_stress") else counts
                 per_yarn[key] = tuple(np.split(data[key], np.cumsum(lengths)[:-1]))
-        skins = []
+        skins: list[SkinPicture] = []
         while f"skin{len(skins)}_points" in data:
             skins.append(SkinPicture(**read_columns(f"skin{len(skins)}", SkinPicture, data)))
         contacts = read_columns("contacts", ContactTable, data)

@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
+import base64
 import xml.etree.ElementTree as xml
+import zlib
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from bent_example import bent_rope
 from rope_example import rope
 
 from braidx.output import vtp
-from braidx.output.paraview import Series, sections, write_contacts, write_tubes
+from braidx.output.paraview import (
+    Series,
+    sections,
+    write_contacts,
+    write_core,
+    write_skins,
+    write_tubes,
+)
 
 
 def test_tubes_and_contacts_are_what_vtk_reads(tmp_path: Path) -> None:
@@ -68,3 +78,35 @@ def test_series_can_be_resumed(tmp_path: Path) -> None:
 def test_what_is_missing_is_named(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="contacts"):
         write_contacts(replace(rope(nodes=5), contacts=None), tmp_path / "c.vtp")
+
+
+def array(path: Path, name: str) -> np.ndarray:
+    """An array of a file, by what vtp writes: a header of four numbers, then packed numbers."""
+    for entry in xml.parse(path).getroot().iter("DataArray"):
+        if entry.get("Name") == name:
+            text = str(entry.text)
+            kind = {"Float32": "<f4", "Int32": "<i4"}[str(entry.get("type"))]
+            return np.frombuffer(zlib.decompress(base64.b64decode(text[44:])), dtype=kind)
+    raise AssertionError(f"{path.name} has no {name}")
+
+
+def test_skins_and_core_are_written(tmp_path: Path) -> None:
+    one = bent_rope(pitches=0.5, nodes=13, solids=True)
+    Series(tmp_path).append(one, 4)
+    stress = array(tmp_path / "skins_00004.vtp", "von Mises (MPa)")
+    owner = array(tmp_path / "skins_00004.vtp", "yarn (-)")
+    assert len(stress) == 13 * 12 * 12 * 2
+    np.testing.assert_allclose(stress[:144], one.skins[0].von_mises, rtol=1e-6)
+    np.testing.assert_array_equal(np.unique(owner), np.arange(-1, 12))
+    points = array(tmp_path / "core_00004.vtp", "Points").reshape(2, 13, 24, 3)
+    distance = np.linalg.norm(points - one.core.line[:, None], axis=-1)
+    np.testing.assert_allclose(distance[0], 2.0, rtol=1e-5)
+    np.testing.assert_allclose(distance[1], 0.8, rtol=1e-5)
+    kinds = array(tmp_path / "contacts_00004.vtp", "kind (-)")
+    np.testing.assert_array_equal(kinds, one.contacts.kind)
+    for kind in ("skins", "core"):
+        assert "timestep=\"4\"" in (tmp_path / f"{kind}.pvd").read_text()
+    bare = replace(one, skins=(), core=None)
+    for write, what in ((write_skins, "skins"), (write_core, "core")):
+        with pytest.raises(ValueError, match=what):
+            write(bare, tmp_path / "x.vtp")

@@ -101,7 +101,7 @@ def test_penetration_is_measured_by_the_yarn_that_touches_the_sheave() -> None:
     assert found.max_penetration_over_radius == pytest.approx(0.015)  # 150 N on a radius of 1 mm
     core_on_sheave = replace(one.contacts, yarn_a=np.full_like(one.contacts.yarn_a, -1))
     found = contact_statistics(replace(one, contacts=core_on_sheave))
-    assert found.max_penetration_over_radius == pytest.approx(0.015)  # yarns b are thinner
+    assert found.max_penetration_over_radius == pytest.approx(0.0075)  # the core has 2 mm
     assert len(one.contacts.of(2).gap) == (one.contacts.kind == 2).sum() > 0
 
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from braidx.output.figures import curves, rope, sections
+from braidx.output.figures.jobs import draw_jobs
 from braidx.output.figures.style import formed, loaded, stages
-from braidx.output.log import LOGGER
 from braidx.output.snapshot import Snapshot
 from braidx.output.summary import Expected
 
@@ -46,11 +46,4 @@ def draw_all(
     if history_path.exists():
         jobs["force_strain"] = lambda path: curves.draw_force_strain(history_path, path, stiffness)
         jobs["course"] = lambda path: curves.draw_course(history_path, path)
-    drawn = []
-    for name, job in jobs.items():
-        try:
-            drawn.append(job(folder / f"{name}.png"))
-        except Exception as error:  # a picture never costs the results
-            LOGGER.warning("figure %s left out: %s", name, error)
-            LOGGER.debug("figure %s", name, exc_info=True)
-    return drawn
+    return draw_jobs({folder / f"{name}.png": job for name, job in jobs.items()})

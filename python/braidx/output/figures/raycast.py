@@ -43,6 +43,19 @@ class View:
         rows = max(int(round(self.height * self.pixels_per_mm)), 1)
         return rows, max(int(round(self.width * self.pixels_per_mm)), 1)
 
+    def finer(self, times: int) -> View:
+        """The same view with so many pixels for one in either direction."""
+        rows, columns = self.shape
+        return View(
+            self.right,
+            self.up,
+            self.centre,
+            columns / self.pixels_per_mm,
+            rows / self.pixels_per_mm,
+            self.pixels_per_mm * times,
+            self.cut_depth,
+        )
+
 
 @dataclass(frozen=True)
 class Tubes:
@@ -121,7 +134,7 @@ def _columns(
     group = np.cumsum(counts[order] * tall).astype(np.int64) // _CHUNK
     for number in np.unique(group):
         chunk = order[group == number]
-        yield _ranges(chunk, first[chunk], counts[chunk])
+        yield ranges(chunk, first[chunk], counts[chunk])
 
 
 def _rows(
@@ -154,11 +167,11 @@ def _rows(
     first = np.clip(np.floor((low + middle) * scale), 0, rows).astype(np.int64)
     counts = np.clip(np.ceil((high + middle) * scale), 0, rows).astype(np.int64) - first
     counts = np.maximum(counts, 0)
-    pair, row = _ranges(np.arange(len(who)), first, counts)
+    pair, row = ranges(np.arange(len(who)), first, counts)
     return who[pair], column[pair], row
 
 
-def _ranges(
+def ranges(
     items: NDArray[np.int64], first: NDArray[np.int64], counts: NDArray[np.int64]
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Each item repeated `counts` times, beside first, first + 1, ... of that item."""

@@ -39,7 +39,7 @@ def tubes(
         line, radius = snapshot.centre_lines[yarn], float(snapshot.radius[yarn])
         spacing = float(np.linalg.norm(np.diff(line, axis=0), axis=1).mean())
         pieces = int(np.clip(round(spacing / (1.5 * radius)), 1, 8))
-        smooth = _hermite(line, pieces)
+        smooth = hermite(line, pieces)
         tangent = node_tangents(smooth)
         count = len(smooth) - 1
         place = np.linspace(0.5 / pieces, len(line) - 1 - 0.5 / pieces, count)
@@ -50,7 +50,7 @@ def tubes(
     return Tubes(*(np.concatenate(column) for column in zip(*rows)))
 
 
-def _hermite(line: Array, pieces: int) -> Array:
+def hermite(line: Array, pieces: int) -> Array:
     """Cubic through the nodes of a line, `pieces` stretches per segment."""
     chord = np.linalg.norm(np.diff(line, axis=0), axis=1)[:, None]
     tangent = node_tangents(line)

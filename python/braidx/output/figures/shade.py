@@ -1,10 +1,14 @@
-"""Light and shadow for ray-cast tubes."""
+"""Light and shadow for what a view sees of tubes and surfaces."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from braidx.output.figures.raycast import Hits, Tubes, View, cast
+from braidx.output.figures.raycast import Tubes, View
+from braidx.output.figures.seen import Seen, see
+from braidx.output.figures.triangles import Triangles
 from braidx.output.snapshot import Array
 
 _LIGHT = np.array([-0.35, 0.65, 0.68])  # from the upper left, in front
@@ -19,38 +23,59 @@ def render(tubes: Tubes, view: View, supersample: int = 2) -> Array:
         view: From where; its pixels are those of the result.
         supersample: Rays per pixel in either direction.
     """
+    return render_parts([tubes], view, float(np.median(tubes.radius)), supersample)
+
+
+def render_parts(
+    parts: Sequence[Tubes | Triangles],
+    view: View,
+    radius: float,
+    supersample: int = 2,
+    glass: Triangles | None = None,
+    opacity: float = 0.45,
+) -> Array:
+    """Picture of tubes and surfaces together, shape (rows, columns, 4), as of `render`.
+
+    Args:
+        parts: What is shown; of two at equal depth the later one.
+        view: From where; its pixels are those of the result.
+        radius: How wide the grooves are that lie in shadow, mm.
+        supersample: Rays per pixel in either direction.
+        glass: A surface through which the parts behind it are seen.
+        opacity: Share of the glass in the colour of what is seen through it.
+    """
+    fine = view.finer(supersample)
+    seen = see(parts, fine)
+    colour, covered = _shaded(seen, radius, fine), seen.covered
+    if glass is not None:
+        pane = see([glass], fine)
+        front = pane.covered & (pane.depth > seen.depth)
+        share = np.where(front, np.where(covered, opacity, 1.0), 0.0)[..., None]
+        colour = (1.0 - share) * colour + share * _shaded(pane, radius, fine)
+        covered = covered | front
     rows, columns = view.shape
-    fine = View(
-        view.right,
-        view.up,
-        view.centre,
-        columns / view.pixels_per_mm,
-        rows / view.pixels_per_mm,
-        view.pixels_per_mm * supersample,
-        view.cut_depth,
-    )
-    hits = cast(tubes, fine)
-    seen = hits.cylinder >= 0
-    picture = np.zeros((*seen.shape, 4))
-    if seen.any():
-        colour = tubes.colour[hits.cylinder] * _brightness(hits, tubes, fine)[..., None]
-        shine = 0.16 * np.clip(hits.normal @ _HALF, 0.0, 1.0) ** 24 * ~hits.is_cut
-        picture[..., :3] = np.where(seen[..., None], np.clip(colour + shine[..., None], 0, 1), 0.0)
-        picture[..., 3] = seen
+    picture = np.concatenate([colour * covered[..., None], covered[..., None]], axis=2)
     picture = picture.reshape(rows, supersample, columns, supersample, 4)
-    opacity = picture[..., 3:].mean(axis=(1, 3))
-    mean = picture[..., :3].mean(axis=(1, 3)) / np.maximum(opacity, 1e-9)
-    return np.concatenate([mean, opacity], axis=2)
+    alpha = picture[..., 3:].mean(axis=(1, 3))
+    mean = picture[..., :3].mean(axis=(1, 3)) / np.maximum(alpha, 1e-9)
+    return np.concatenate([mean, alpha], axis=2)
 
 
-def _brightness(hits: Hits, tubes: Tubes, view: View) -> Array:
-    """Diffuse light, dimmed in the grooves between tubes."""
-    diffuse = 0.38 + 0.68 * np.clip(0.3 + 0.7 * (hits.normal @ _LIGHT), 0.0, 1.0)
-    diffuse = np.where(hits.is_cut, 1.06, diffuse)
-    radius = float(np.median(tubes.radius))
-    seen = hits.cylinder >= 0
-    floor = hits.depth[seen].min()
-    depth = np.where(seen, hits.depth, floor)
+def _shaded(seen: Seen, radius: float, view: View) -> Array:
+    """Colours under the light; zero where nothing is seen."""
+    if not seen.covered.any():
+        return np.zeros_like(seen.colour)
+    colour = seen.colour * _brightness(seen, radius, view)[..., None]
+    shine = 0.16 * np.clip(seen.normal @ _HALF, 0.0, 1.0) ** 24 * ~seen.is_cut
+    return np.where(seen.covered[..., None], np.clip(colour + shine[..., None], 0, 1), 0.0)
+
+
+def _brightness(seen: Seen, radius: float, view: View) -> Array:
+    """Diffuse light, dimmed in the grooves between parts."""
+    diffuse = 0.38 + 0.68 * np.clip(0.3 + 0.7 * (seen.normal @ _LIGHT), 0.0, 1.0)
+    diffuse = np.where(seen.is_cut, 1.06, diffuse)
+    floor = seen.depth[seen.covered].min()
+    depth = np.where(seen.covered, seen.depth, floor)
     open_sky = np.ones_like(depth)
     for reach in (0.6, 2.0):
         size = max(int(round(reach * radius * view.pixels_per_mm)), 1)

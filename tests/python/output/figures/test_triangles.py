@@ -1,0 +1,134 @@
+"""Surfaces drawn into a depth buffer, against known pictures and against rays."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from braidx.output import SheavePicture
+from braidx.output.figures.raycast import View
+from braidx.output.figures.seen import see
+from braidx.output.figures.shade import render_parts
+from braidx.output.figures.sheave_shape import sheave_surface
+from braidx.output.figures.swept import swept
+from braidx.output.figures.triangles import Triangles, rasterise
+
+_X, _Y, _Z = np.eye(3)
+VIEW = View(right=_X, up=_Y, centre=np.zeros(3), width=10.0, height=6.0, pixels_per_mm=20.0)
+RED, BLUE = np.array([[1.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 1.0]])
+
+
+def tube(start: list[float], end: list[float], radius: float = 1.0) -> Triangles:
+    return swept(np.linspace(start, end, 12), radius, RED)
+
+
+def test_depth_and_corner_of_single_triangles_against_brute_force() -> None:
+    generator = np.random.default_rng(5)
+    points = generator.uniform(-4, 4, (30, 3)) * [1.0, 0.7, 1.0]
+    corners = np.arange(30).reshape(-1, 3)
+    flat = Triangles(points, np.tile(_Z, (30, 1)), corners, np.ones((10, 3)))
+    view = replace(VIEW, pixels_per_mm=6.0)
+    found = rasterise(flat, view)
+    for row in range(36):
+        for column in range(60):
+            place = np.array([(column + 0.5) / 6 - 5.0, 3.0 - (row + 0.5) / 6])
+            best, who = -np.inf, -1
+            for number, corner in enumerate(corners):
+                a, b, c = points[corner]
+                share = np.linalg.solve(np.stack([b - a, c - a], axis=1)[:2], place - a[:2])
+                if share.min() >= 0 and share.sum() <= 1:
+                    z = a[2] + share @ [b[2] - a[2], c[2] - a[2]]
+                    best, who = max((best, who), (z, number))
+            assert found.triangle[row, column] == who
+            if who >= 0:
+                assert found.depth[row, column] == pytest.approx(best)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 0.6, 1.2])
+def test_a_swept_tube_lies_on_its_cylinder(tilt: float) -> None:
+    direction = np.array([np.cos(tilt), 0.2, np.sin(tilt)])
+    found = rasterise(tube(list(-30 * direction), list(30 * direction)), VIEW)
+    rows, columns = np.nonzero(found.triangle >= 0)
+    points = np.stack(
+        [(columns + 0.5) / 20 - 5.0, 3.0 - (rows + 0.5) / 20, found.depth[rows, columns]], axis=1
+    )
+    axis = direction / np.linalg.norm(direction)
+    across = points - (points @ axis)[:, None] * axis
+    distance = np.linalg.norm(across, axis=1)
+    sagitta = 1 - np.cos(np.pi / 20)
+    assert 1 - sagitta - 1e-9 <= distance.min() and distance.max() <= 1 + 1e-9
+    cosine = np.einsum("ij,ij->i", found.normal[rows, columns], across) / distance
+    assert cosine.min() > 0.999
+
+
+def test_ends_of_tubes_are_closed_and_face_outwards() -> None:
+    one = tube([0, 0, -2], [0, 0, 2])
+    a, b, c = one.points[one.corners].transpose(1, 0, 2)
+    volume = np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+    assert volume == pytest.approx(20 / 2 * np.sin(2 * np.pi / 20) * 4)
+    found = rasterise(one, VIEW)
+    assert found.depth[60, 100] == pytest.approx(2.0)
+    np.testing.assert_allclose(found.normal[60, 100], _Z, atol=1e-12)
+
+
+def test_a_cutting_plane_shows_the_inside() -> None:
+    cut_view = replace(VIEW, cut_depth=0.5)
+    one = replace(tube([-30, 0, 0], [30, 0, 0]), inside=BLUE[0])
+    found = rasterise(one, cut_view)
+    cut = found.is_cut[:, 100]
+    assert cut.sum() / 20 == pytest.approx(2 * np.sqrt(0.75), abs=0.11)
+    assert (found.depth[found.is_cut] == 0.5).all()
+    seen = see([one], cut_view)
+    np.testing.assert_array_equal(seen.colour[found.is_cut][0], BLUE[0])
+    assert (rasterise(tube([-30, 0, 3], [30, 0, 3]), cut_view).triangle == -1).all()
+
+
+def test_the_nearer_part_hides_the_other_and_the_later_one_wins_a_tie() -> None:
+    far, near = tube([-9, 0, -2], [9, 0, -2]), replace(tube([0, -9, 2], [0, 9, 2]))
+    near = replace(near, colour=np.broadcast_to(BLUE, near.colour.shape))
+    for parts in ([far, near], [near, far]):
+        assert see(parts, VIEW).colour[60, 100, 2] == 1.0
+    bore = replace(swept(np.linspace([-9, 0, 0], [9, 0, 0], 9), 0.5, BLUE))
+    seen = see([tube([-9, 0, 0], [9, 0, 0]), bore], replace(VIEW, cut_depth=0.0))
+    assert seen.colour[60, 100, 2] == 1.0 and seen.colour[45, 100, 0] == 1.0
+
+
+def test_through_glass_both_are_seen() -> None:
+    behind = tube([-9, 0, -3], [9, 0, -3])
+    pane = replace(tube([0, -9, 2], [0, 9, 2]))
+    pane = replace(pane, colour=np.broadcast_to(BLUE, pane.colour.shape))
+    picture = render_parts([behind], VIEW, 1.0, glass=pane)
+    both, alone, clear = picture[60, 100], picture[20, 100], picture[60, 30]
+    assert both[0] > 0.2 and both[2] > 0.2
+    assert alone[0] < 0.25 and alone[2] > 0.5 and alone[3] == 1.0  # the shine is white
+    assert clear[0] > 0.5 and clear[2] < 0.25
+    assert picture[10, 10, 3] == 0.0
+
+
+@pytest.mark.parametrize("groove", [None, 7.0])
+def test_the_sheave_is_closed_and_lies_where_it_should(groove: float | None) -> None:
+    sheave = SheavePicture(np.array([1.0, 2.0, 3.0]), _X, 20.0, groove)
+    surface = sheave_surface(sheave, 6.0)
+    away = surface.points - sheave.centre
+    radius, across = np.hypot(away[:, 1], away[:, 2]), away[:, 0]
+    middle = np.abs(across) < 1e-9
+    assert radius[middle].max() == pytest.approx(20.0)
+    a, b, c = (surface.points - sheave.centre)[surface.corners].transpose(1, 0, 2)
+    volume = np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+    half = across.max()
+    u = np.linspace(-half, half, 4001)
+    expected = np.pi * np.trapezoid(sheave.profile(u) ** 2 - 25.0, u)
+    assert volume == pytest.approx(expected, rel=2e-3)
+
+
+def test_the_mark_turns_with_the_sheave() -> None:
+    views = []
+    for angle in (0.0, np.pi):
+        sheave = SheavePicture(np.zeros(3), _X, 20.0, angle=angle)
+        surface = sheave_surface(sheave, 6.0)
+        darkest = surface.colour[:, 0] == surface.colour[:, 0].min()
+        views.append(surface.points[surface.corners[darkest]].mean(axis=(0, 1)))
+    np.testing.assert_allclose(views[0][1:], -views[1][1:], atol=1e-9)
+    assert np.linalg.norm(views[0][1:]) > 5.0
