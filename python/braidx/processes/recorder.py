@@ -134,9 +134,10 @@ class Recorder:
                 kept = [
                     snapshot.load(path) for path in sorted((self.folder / SNAPSHOTS).glob("*.npz"))
                 ]
-                figures.draw_all(
-                    self.folder, kept, self.folder / "history.csv", self.scene.expected
-                )
+                straight = [picture for picture in kept if picture.sheave is None]
+                rows = self.folder / "history.csv"
+                figures.draw_all(self.folder, straight, rows, self.scene.expected)
+                figures.draw_bending(self.folder, kept[len(straight) :])
             self._progress.finish(self._costs)
             contents = self._write_summary(converged, memory)
             close_log()

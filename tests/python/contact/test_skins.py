@@ -52,7 +52,9 @@ def test_block_on_a_rigid_plane(kind):
     assert forces.sum(axis=0) == pytest.approx([0, 0, pressure * SIZE[0] * SIZE[1]])
     moment = np.cross(q, forces).sum(axis=0)
     centre = np.array([SIZE[0] / 2, SIZE[1] / 2, 0])
-    assert moment == pytest.approx(np.cross(centre, forces.sum(axis=0)), abs=1e-9 * abs(moment).max())
+    assert moment == pytest.approx(
+        np.cross(centre, forces.sum(axis=0)), abs=1e-9 * abs(moment).max()
+    )
     assert contact.rigid_share(q.ravel()) == pytest.approx(1)
 
 

@@ -6,10 +6,13 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from braidx.output.figures import curves, rope, sections
+from braidx.output.figures.bending import draw_bending
 from braidx.output.figures.jobs import draw_jobs
 from braidx.output.figures.style import formed, loaded, stages
 from braidx.output.snapshot import Snapshot
 from braidx.output.summary import Expected
+
+__all__ = ["draw_all", "draw_bending"]
 
 
 def draw_all(

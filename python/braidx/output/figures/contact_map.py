@@ -38,7 +38,9 @@ def draw_contact_map(snapshot: Snapshot, path: Path) -> Path:
         force = rows.normal_force[active]
         along, angle, _ = axis.unroll(rows.position[active])
         size = 4.0 + 46.0 * force / force.max()
-        dots = ax.scatter(along, from_sheave(angle), c=force, s=size, cmap="viridis", vmin=0.0, lw=0)
+        dots = ax.scatter(
+            along, from_sheave(angle), c=force, s=size, cmap="viridis", vmin=0.0, lw=0
+        )
         unrolled(ax, low, high, float(axis.arc_length(crown)[0]))
         page.colorbar(dots, ax=ax, pad=0.08).set_label("normal force (N)")
         ax.set_title(

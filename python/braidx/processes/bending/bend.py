@@ -14,6 +14,8 @@ from .bender import Attempt, Bender
 from .model import BentRope
 
 NEAR = 1e-9  # mm: a travel is reached
+FRAMES = 10  # pictures on the way from one end of a travel to the other
+WAY = "travel"  # name of these
 
 
 def smooth_step(t: float) -> float:
@@ -44,7 +46,7 @@ def bend_cycles(model: BentRope, state: State, step: BendCycles) -> Iterator[Out
     for turn in range(int(state.progress.get("turn", 0)), turns):
         target, name = (furthest, "bent") if turn % 2 else (0.0, "straightened")
         for outcome in _travel(bender, target, step.increments, f"cycle {turn // 2 + 1}, {name}"):
-            ended = outcome.snapshot is not None
+            ended = abs(bender.travel - target) <= NEAR
             own = {**bender.state.progress, "turn": float(turn + ended)}
             bender.state = replace(bender.state, progress=own)
             yield replace(outcome, state=bender.state, share=(turn + outcome.share) / turns)
@@ -60,9 +62,20 @@ def _travel(bender: Bender, target: float, increments: int, name: str) -> Iterat
         done += abs(bender.travel - aim) < NEAR
         ended = abs(target - bender.travel) <= NEAR
         own = {"begin": target, "done": 0.0} if ended else {"begin": begin, "done": float(done)}
+        if ended and target == 0.0:
+            own |= _cycle(bender.state)
         bender.state = replace(bender.state, progress={**bender.state.progress, **own})
         share = (bender.travel - begin) / (target - begin)
-        yield _outcome(bender, attempt, share, name if ended else None)
+        halted = name if ended else None
+        if not ended and done % max(1, increments // FRAMES) == 0:
+            halted = f"{WAY} {bender.travel:.1f} mm"
+        yield _outcome(bender, attempt, share, halted)
+
+
+def _cycle(state: State) -> dict[str, float]:
+    """Friction work of the cycle that ends with a straight rope, and that at the beginning of the next, mJ."""
+    before = state.progress.get("cycle_begin", 0.0)
+    return {"cycle_work": state.friction_work - before, "cycle_begin": state.friction_work}
 
 
 def _outcome(bender: Bender, attempt: Attempt, share: float, name: str | None) -> Outcome:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from ...output.log import LOGGER
 from ...solver.increment import Diverged, Increment, IncrementOptions
 from ...system.constraints import Floats
@@ -13,7 +11,9 @@ from ..outcome import NotConverged
 from ..state import State
 from .model import BentRope
 
-CALM = 0.01  # of the stabilisation that straight ropes get: a rope that bends is held by its stiffness
+CALM = (
+    0.01  # of the stabilisation that straight ropes get: a rope that bends is held by its stiffness
+)
 HELD = 3e-4  # work of the stabilisation over the elastic energy that an increment may leave
 
 

@@ -9,10 +9,12 @@ import numpy as np
 from ...output.contact_table import CORE_SHEAVE, YARN_CORE, YARN_SHEAVE, YARN_YARN, ContactTable
 from ...output.core_line import CoreLine
 from ...output.sheave_picture import SheavePicture
+from ...output.skin_picture import SkinPicture
 from ...output.snapshot import Snapshot
 from ...system.constraints import Floats
 from ..state import State
 from .sheave import AXIS
+from .skins import skin_picture
 from .surfaces import NO_YARN
 from .yarn_states import axial_stress, centre_lines, directors
 
@@ -40,8 +42,25 @@ def bent_picture(model: BentRope, state: State, name: str) -> Snapshot:
         axial_stress=stress,
         contacts=_contacts(model, q),
         core=core,
+        skins=_skins(model, q),
         sheave=SheavePicture(place.centre, AXIS, place.radius, place.groove_radius),
     )
+
+
+def _skins(model: BentRope, q: Floats) -> tuple[SkinPicture, ...]:
+    assembly, core = model.assembly, model.scene.core
+    out = []
+    if assembly.solids is not None:
+        body, first = assembly.solids
+        yarns = [stretch.yarn for stretch in assembly.stretches if stretch.model == "solid"]
+        rows = q[first : first + body.num_unknowns].reshape(-1, 3)
+        out.append(skin_picture(body, rows, "lateral", yarns))
+    if assembly.core_solid is not None:
+        assert core is not None
+        body, first = assembly.core_solid
+        rows = q[first : first + body.num_unknowns].reshape(-1, 3)
+        out.append(skin_picture(body, rows, core.surface, [NO_YARN]))
+    return tuple(out)
 
 
 def _contacts(model: BentRope, q: Floats) -> ContactTable:

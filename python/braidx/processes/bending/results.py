@@ -8,6 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...geometry import build_rope
+from ...output.bending_measures import (
+    core_pressure_max,
+    von_mises_max,
+    yarn_sheave_force_max,
+)
 from ...output.interlacing import relative_displacement
 from ...output.interlacing_points import InterlacingPoints, crossing, find_interlacing, radial
 from ...output.rope_axis import RopeAxis, mean_axis
@@ -19,9 +24,31 @@ from ..state import State
 if TYPE_CHECKING:
     from .model import BentRope
 
+NEAR = 1e-9  # mm
+
 
 def bent_results(model: BentRope, state: State, picture: Snapshot) -> dict[str, float]:
-    """Results of a state worth a picture."""
+    """Results of a state worth a picture: of the last one in which the rope is bent as far as it has been."""
+    results = _slip(model, picture) if _is_bent(state) else {}
+    if "cycle_work" in state.progress:
+        results["friction_work_per_cycle"] = state.progress["cycle_work"]
+    if _is_bent(state):
+        results |= {
+            "end_force": float(np.abs(model.end_forces(state.q)).mean()),
+            "yarn_sheave_force_max": yarn_sheave_force_max(picture),
+            "core_pressure_max": core_pressure_max(picture),
+        }
+    if _is_bent(state) and picture.skins:
+        results["von_mises_max"] = von_mises_max(picture)
+    return results
+
+
+def _is_bent(state: State) -> bool:
+    travel = state.progress["travel"]
+    return bool(travel > 0.0 and travel >= state.progress["furthest"] - NEAR)
+
+
+def _slip(model: BentRope, picture: Snapshot) -> dict[str, float]:
     rope = build_rope(model.scene)
     layer = rope.layer[rope.strand]
     axes = mean_axis(model.lines), mean_axis(picture.centre_lines)
@@ -29,16 +56,12 @@ def bent_results(model: BentRope, state: State, picture: Snapshot) -> dict[str, 
     slid = relative_displacement(
         model.lines, picture.centre_lines, picture.radius, layer, points, axes
     )
-    contacts = picture.contacts
-    assert contacts is not None
+    wrong = wrong_sides(model.lines, picture.centre_lines, points, axes)
     return {
-        "relative_displacement": slid.mean_at_crown(model.scene.length / 2.0),
+        "relative_displacement": slid.mean_at_crown(model.scene.crown),
         "relative_displacement_max": slid.maximum(),
         "crossing_points": float(len(points)),
-        "end_force": float(abs(model.end_forces(state.q)).mean()),
-        "wrong_side_crossings": float(
-            wrong_sides(model.lines, picture.centre_lines, points, axes)
-        ),
+        "wrong_side_crossings": float(wrong),
     }
 
 

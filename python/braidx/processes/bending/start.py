@@ -56,7 +56,7 @@ def clamped(scene: Scene, state: State) -> State:
 def make_bent_rope(comm: MPI.Comm, scene: Scene, state: State) -> tuple[BentRope, State]:
     """The model that a state belongs to, with the state's contact history, and the state with its unknowns."""
     num_yarns = int(state.stretches[:, 0].max()) + 1
-    lines = state.reference.reshape(num_yarns, -1, 3)
+    lines = tuple(state.reference.reshape(num_yarns, -1, 3))
     model = BentRope(comm, scene, lines, from_table(state.stretches))
     if not len(state.q):
         state = replace(state, q=model.start)

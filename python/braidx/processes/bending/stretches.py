@@ -42,7 +42,7 @@ def stretches_of(scene: Scene, lines: Sequence[Floats]) -> tuple[Stretch, ...]:
     out: list[Stretch] = []
     for number, line in enumerate(lines):
         model = yarn.models.get(str(number), yarn.model)
-        is_solid = np.zeros(len(line), dtype=bool)
+        is_solid: npt.NDArray[np.bool_] = np.zeros(len(line), dtype=bool)
         outer = "cable" if model == "auto" else model
         if model == "mixed":
             assert yarn.solid_stretch is not None  # the scene has been checked

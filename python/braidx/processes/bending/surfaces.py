@@ -73,7 +73,10 @@ def _tubes(assembly: Assembly) -> TubeLayout:
         radius=np.where(is_core, core_radius, scene.yarn.radius),
         body=np.where(is_core, CORE, YARN),
         group=yarn,
-        **whole,
+        first_unknown=whole["first_unknown"],
+        num_elements=whole["num_elements"],
+        block=whole["block"],
+        element_length=whole["element_length"],
     )
 
 
