@@ -183,6 +183,8 @@ class Incrementer:
         attempt.follows = near and not attempt.unfollowed
         if not attempt.follows:
             self.contact.freeze_sections()
+            # Where sections that follow would leave the places that were just found for them, these count.
+            attempt.residual = self.newton.residual(attempt.q)
 
     def _raise_penalties(self, attempt: _Attempt, penetration: float) -> None:
         """Makes zones stiffer that penetrate too deep; yarns will hardly move, so that sections may follow."""
