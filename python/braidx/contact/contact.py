@@ -71,6 +71,8 @@ class Contact:
         self.reach = 0.0
         self.pattern_version = 0
         self._pattern: Any = None
+        self._rows: Ints
+        self._cols: Ints
         self._lay_out()
 
     @property
