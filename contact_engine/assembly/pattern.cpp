@@ -36,6 +36,21 @@ Group group_of(const DeformableSurfaces& surfaces, const ContactElement& e, doub
     return out;
 }
 
+/// Groups of a contact element whose place on a skin b moves onto facets next to its own. Points of
+/// a stay where they are.
+std::vector<Group> groups_on_facets(const DeformableSurfaces& surfaces, const ContactElement& e,
+                                    double reach) {
+    std::vector<Group> out;
+    if (reach <= 0 || e.facet_b < 0)
+        return out;
+    for (const auto facet :
+         facets_within(surfaces.skin(e.surface_b), {e.facet_b, e.xi_b[0], e.xi_b[1]}, reach)) {
+        out.push_back(group_of(surfaces, e));
+        out.back().element_b = facet;
+    }
+    return out;
+}
+
 /// Vector unknowns of a group, in the order of local_system, and the rows that are asked for.
 struct GroupUnknowns {
     std::array<std::int64_t, LocalSystem::capacity> number;
@@ -107,6 +122,9 @@ std::vector<Group> groups_within(const DeformableSurfaces& surfaces,
             for (const double by_b : {-reach, reach})
                 for (const auto e : asked_elements(surfaces, elements))
                     add(group_of(surfaces, elements[e], by_a, by_b));
+    for (const auto e : asked_elements(surfaces, elements))
+        for (const auto& group : groups_on_facets(surfaces, elements[e], reach))
+            add(group);
     sort_unique(out);
     return out;
 }

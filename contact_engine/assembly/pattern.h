@@ -19,9 +19,9 @@ struct Pattern {
 /// Contact elements on the same finite elements share a group, so that a zone costs little more
 /// than one element.
 ///
-/// With a `reach` (in elements) there are blocks, too, for sections that far away: the pattern will
-/// hold when contact elements have moved a little, and a matrix with its symbolic factorisation can
-/// be kept.
+/// With a `reach` (in elements, or reference coordinates of facets) there are blocks, too, for
+/// sections that far away: the pattern will hold when contact elements have moved a little, and a
+/// matrix with its symbolic factorisation can be kept.
 Pattern make_pattern(const DeformableSurfaces& surfaces, const ContactElements& elements,
                      double reach = 0, int num_threads = 1);
 

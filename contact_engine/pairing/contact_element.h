@@ -18,7 +18,7 @@ struct ContactElement {
     int follows = 0;  ///< 0: sections and normal are frozen; +1, -1: they follow the tubes, which
                       ///< run the same way (+1) or opposite ways (-1), see assembly/facing.h
     double weight;    ///< length of the contact line it stands for, mm; where a is a skin: area,
-                      ///< mm^2, half of it on each of two skins
+                      ///< mm^2, of which points of two skins share
     double stiffness; ///< penalty per length, N/mm per mm, or per area; equal within a proximity
                       ///< zone
     std::int32_t facet_a = -1, facet_b = -1; ///< facets of skins

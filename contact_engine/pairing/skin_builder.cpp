@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace braidx {
 namespace {
@@ -30,6 +31,20 @@ double reach_of(const Skin& skin, const Surfaces& surfaces, const PairingOptions
     for (const auto& tube : surfaces.tubes)
         reach = std::max(reach, tube.radius + options.search.margin);
     return reach;
+}
+
+/// Mean area of the contact points of a facet, mm^2.
+double mean_area(const Skin& skin, std::int32_t facet) {
+    const auto count = skin.points_per_facet();
+    const auto first = skin.area.begin() + std::int64_t{facet} * count;
+    return std::accumulate(first, first + count, 0.0) / count;
+}
+
+/// Share of its area that a contact point of a stands for, against a facet of b: half of it where
+/// points of both are as dense, more where those of a are denser. Sparse points load the nodes of a
+/// fine mesh unevenly.
+double share_of(double area_a, double area_b) {
+    return area_b * area_b / (area_a * area_a + area_b * area_b);
 }
 
 bool overlap(const Box& a, const Box& b, double apart) {
@@ -64,13 +79,15 @@ void SkinBuilder::add_points(std::int32_t a, std::int32_t b, ContactElements& ou
         });
         if (!place)
             continue;
+        const double share = share_of(mean_area(from.skin(), point.at.facet),
+                                      mean_area(onto.skin(), place->at.facet));
         out.push_back({.surface_a = a,
                        .surface_b = b,
                        .s_a = 0,
                        .s_b = 0,
                        .station = k,
                        .normal = -place->normal,
-                       .weight = 0.5 * from.skin().area[static_cast<std::size_t>(k)],
+                       .weight = share * from.skin().area[static_cast<std::size_t>(k)],
                        .stiffness = 0,
                        .facet_a = point.at.facet,
                        .facet_b = place->at.facet,

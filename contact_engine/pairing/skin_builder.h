@@ -10,7 +10,8 @@ namespace braidx {
 ///
 /// A contact point of a skin meets the nearest place of the other surface that it faces; normals
 /// and places are those of this update. Of two skins each has its points tested against the other,
-/// for half of their areas: nothing changes when a and b are swapped. A tube meets a skin at
+/// and they share the area, the denser ones with more of it: nothing changes when a and b are
+/// swapped. A tube meets a skin at
 /// stations along the tube: where they touch is narrower than facets.
 class SkinBuilder {
 public:

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 namespace braidx {
 namespace {
@@ -59,28 +60,78 @@ void share_normals(Skin& skin, const std::vector<Vec3>& area) {
     }
 }
 
+/// Whether another facet has one of the two vertices of an edge, numbered along the outline.
+bool touches_edge(const Skin& skin, std::int32_t facet, std::size_t edge, std::int32_t other) {
+    const auto outline = facet_outline(skin.kind);
+    for (const auto vertex : {outline[edge], outline[(edge + 1) % outline.size()]})
+        for (int node = 0; node < skin.nodes_per_facet(); ++node)
+            if (skin.unknown_of(facet, vertex) == skin.unknown_of(other, node))
+                return true;
+    return false;
+}
+
+void find_neighbours(Skin& skin) {
+    const auto per_facet = static_cast<std::size_t>(skin.nodes_per_facet());
+    std::unordered_map<std::int64_t, std::vector<std::int32_t>> facets_of;
+    for (std::size_t i = 0; i < skin.unknown.size(); ++i)
+        facets_of[skin.unknown[i]].push_back(static_cast<std::int32_t>(i / per_facet));
+    skin.first_neighbour = {0};
+    for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet) {
+        std::vector<std::int32_t> found;
+        for (int node = 0; node < skin.nodes_per_facet(); ++node)
+            for (const auto other : facets_of[skin.unknown_of(facet, node)])
+                if (other != facet)
+                    found.push_back(other);
+        std::ranges::sort(found);
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        skin.neighbour.insert(skin.neighbour.end(), found.begin(), found.end());
+        skin.first_neighbour.push_back(static_cast<std::int32_t>(skin.neighbour.size()));
+    }
+}
+
 } // namespace
+
+std::vector<std::int32_t> facets_within(const Skin& skin, const FacetPoint& at, double reach) {
+    // Distances to the edges, in the order of the outline.
+    const std::array<double, 4> square = {at.v, 1 - at.u, 1 - at.v, at.u},
+                                triangle = {at.v, 1 - at.u - at.v, at.u, 0};
+    const auto& distance = is_triangle(skin.kind) ? triangle : square;
+    const auto num_edges = facet_outline(skin.kind).size();
+    std::vector<std::int32_t> out = {at.facet};
+    const auto f = static_cast<std::size_t>(at.facet);
+    for (auto i = skin.first_neighbour[f]; i < skin.first_neighbour[f + 1]; ++i) {
+        const auto other = skin.neighbour[static_cast<std::size_t>(i)];
+        bool near = false;
+        for (std::size_t edge = 0; edge < num_edges && !near; ++edge)
+            near = distance[edge] <= reach && touches_edge(skin, at.facet, edge, other);
+        if (near)
+            out.push_back(other);
+    }
+    return out;
+}
 
 FacetPoint contact_point(const Skin& skin, std::int64_t number) {
     const auto per_facet = skin.points_per_facet();
-    const auto& at = facet_quadrature(skin.kind)[static_cast<std::size_t>(number % per_facet)];
+    const auto& at = skin.quadrature()[static_cast<std::size_t>(number % per_facet)];
     return {static_cast<std::int32_t>(number / per_facet), at.u, at.v};
 }
 
 Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
-               int group, Unknowns rest) {
+               int group, Unknowns rest, bool dense) {
     Skin out;
     out.kind = kind;
     out.unknown = std::move(unknown);
     out.body = body;
     out.radius = radius;
     out.group = group;
+    out.dense = dense;
     for (std::int32_t facet = 0; facet < out.num_facets(); ++facet)
-        for (const auto& p : facet_quadrature(kind)) {
+        for (const auto& p : out.quadrature()) {
             const auto at = facet_geometry(out, rest, facet, facet_weights(kind, p.u, p.v));
             out.area.push_back(p.weight * at.area().norm());
         }
     share_normals(out, areas_at_nodes(out, rest));
+    find_neighbours(out);
     return out;
 }
 

@@ -15,16 +15,20 @@ struct Skin {
     FacetKind kind = FacetKind::square4;
     std::vector<std::int64_t> unknown; ///< engine number of the first unknown of each facet's nodes
     int body = 0;                      ///< number of the body, for friction per pair of bodies
-    int group = -1; ///< surfaces of one group, from 0, are never paired: pieces of one yarn
-    double radius =
-        1; ///< how deep a particle may be inside before it counts as on the far side, mm
+    int group = -1;     ///< surfaces of one group, from 0, are never paired: pieces of one yarn
+    bool dense = false; ///< more contact points per facet, see facet_quadrature
+    /// How deep a particle may be inside before it counts as on the far side, mm.
+    double radius = 1;
     std::vector<double> area; ///< rest area that each contact point stands for, mm^2
     /// Nodes of facets that share a normal: those at one place that lie smoothly side by side.
     std::vector<std::int32_t> normal_of;
     std::int32_t num_normals = 0;
+    /// Facets that share a node with a facet: from first_neighbour[facet] to that of the next.
+    std::vector<std::int32_t> neighbour, first_neighbour;
 
     int nodes_per_facet() const { return num_facet_nodes(kind); }
-    int points_per_facet() const { return static_cast<int>(facet_quadrature(kind).size()); }
+    std::span<const QuadraturePoint> quadrature() const { return facet_quadrature(kind, dense); }
+    int points_per_facet() const { return static_cast<int>(quadrature().size()); }
     std::int32_t num_facets() const {
         return static_cast<std::int32_t>(unknown.size()) / nodes_per_facet();
     }
@@ -48,7 +52,11 @@ FacetPoint contact_point(const Skin& skin, std::int64_t number);
 /// A skin whose contact areas, and sharp edges, are those of the positions `rest`. Facets that meet
 /// at less than 50 degrees are smooth there.
 Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
-               int group, Unknowns rest);
+               int group, Unknowns rest, bool dense = false);
+
+/// The facet of a place, and those that a particle may move onto when its coordinates change by up
+/// to `reach`.
+std::vector<std::int32_t> facets_within(const Skin& skin, const FacetPoint& at, double reach);
 
 /// Position of a point, and its derivatives with both coordinates.
 struct FacetGeometry {

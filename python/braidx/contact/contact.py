@@ -24,7 +24,7 @@ class Contact:
     Attributes:
         layout: The tubes.
         skins: The skins of solids, or None.
-        surfaces: Both (engine object).
+        surfaces: Tubes and skins together (engine object).
         beyond: What is seen past their ends in a periodic sample, or None.
         elements: The current contact elements (engine object).
         laws: Laws of contact (engine object): regularisation, reversible slip, gap step, friction.
@@ -53,8 +53,8 @@ class Contact:
                 f"layout.beyond = {layout.beyond}: periodic samples cannot have skins; give no skins, or 0"
             )
         self.beyond = nodes_beyond(layout)
+        self._skins = engine_skins(skins, rest)
         self.tubes = engine_tubes(layout, smooth, self.beyond)
-        self.surfaces = engine.make_surfaces(self.tubes, engine_skins(skins, rest))
         self.comm, self.layout, self.skins = comm, layout, skins
         radii = [layout.radius] if skins is None else [layout.radius, skins.radius]
         self.min_radius = float(np.concatenate(radii).min())
@@ -71,7 +71,19 @@ class Contact:
         self.reach = 0.0
         self.pattern_version = 0
         self._pattern: Any = None
+        self._rows: Ints
+        self._cols: Ints
         self._lay_out()
+
+    @property
+    def tubes(self) -> Any:
+        """The tubes alone (engine object)."""
+        return self._tubes
+
+    @tubes.setter
+    def tubes(self, tubes: Any) -> None:
+        self._tubes = tubes
+        self.surfaces = engine.make_surfaces(tubes, self._skins)
 
     @property
     def symmetric_tangent(self) -> bool:

@@ -24,12 +24,14 @@ class SkinLayout:
         group: Skins and tubes of one group, from 0, never touch; -1: no group. Shape (num_skins,).
         radius: How deep a particle may be inside before it counts as on the far side of the solid, about half its
             thickness, mm, shape (num_skins,).
+        dense: Whether facets have more contact points: pressure between facets that do not match gets more even.
     """
 
     facets: tuple[Ints, ...]
     body: Ints
     group: Ints
     radius: Floats
+    dense: bool = False
 
 
 def engine_skins(layout: SkinLayout | None, rest: Floats | None) -> list[Any]:
@@ -69,4 +71,5 @@ def _engine_skin(number: int, layout: SkinLayout, rest: Floats) -> Any:
         float(layout.radius[number]),
         int(layout.group[number]),
         rest,
+        layout.dense,
     )

@@ -1,7 +1,9 @@
 #include "assembly/memory.h"
 #include "support/skin_contacts.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <numbers>
 
 using namespace braidx;
@@ -45,15 +47,31 @@ double gap(const Rods& rods, const ContactElement& e) {
 
 } // namespace
 
-TEST_CASE("all points of two sheets that face each other meet, for half of their areas",
-          "[skin_pairing]") {
+TEST_CASE("points of two skins share the area, the denser ones with more of it", "[skin_pairing]") {
+    for (const int finer : {1, 2, 3}) {
+        Rods rods;
+        add_rectangle(rods, FacetKind::square9, {2, 2}, {0, 0, 0}, {2, 0, 0}, {0, 2, 0});
+        add_rectangle(rods, FacetKind::square9, {2 * finer, 2 * finer}, {0, 0, -0.01}, {0, 2, 0},
+                      {2, 0, 0});
+        const auto elements = pair_up(rods);
+        const double ratio = std::pow(finer, 4); // squares of the areas per point
+        CHECK(std::abs(total_weight(elements, 0, 1) - 4 / (1 + ratio)) < 1e-12);
+        CHECK(std::abs(total_weight(elements, 1, 0) - 4 * ratio / (1 + ratio)) < 1e-12);
+    }
+}
+
+TEST_CASE("all points of two sheets that face each other meet", "[skin_pairing]") {
     for (const auto below : all_facets)
         for (const auto above : all_facets) {
             const Rods rods = two_sheets(below, above);
             const auto elements = pair_up(rods);
-            CHECK(std::abs(total_weight(elements, 1, 0) - 0.5 * 3.0) < 1e-12);
-            // The lower sheet reaches further: its points beside the upper one are left out.
-            CHECK(std::abs(total_weight(elements, 0, 1) - 0.5 * 3.0) < 0.6);
+            // All of the upper sheet; the lower one reaches further, and its points beside the
+            // upper one are left out.
+            CHECK(std::ranges::count(elements, 1, &ContactElement::surface_a) ==
+                  rods.skins[1].num_points());
+            CHECK(std::ranges::count(elements, 0, &ContactElement::surface_a) <
+                  rods.skins[0].num_points());
+            CHECK(std::abs(total_weight(elements, 0, 1) + total_weight(elements, 1, 0) - 3) < 0.6);
             for (const auto& e : elements) {
                 CHECK((e.zone == 0 && e.stiffness == PairingOptions{}.area_stiffness));
                 CHECK((e.normal - (e.surface_a == 0 ? 1 : -1) * Vec3::UnitZ()).norm() < 1e-12);

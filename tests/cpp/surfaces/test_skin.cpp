@@ -2,6 +2,7 @@
 #include "surfaces/facet_projection.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <limits>
 #include <numeric>
@@ -115,6 +116,29 @@ TEST_CASE("sharp edges have a normal per side", "[skin]") {
         }
         CHECK(sides.size() == 6);
     }
+}
+
+TEST_CASE("places near an edge may move onto the facets beyond it", "[skin]") {
+    const auto within = [](const Skin& skin, const FacetPoint& at) {
+        auto facets = facets_within(skin, at, 0.25);
+        std::ranges::sort(facets);
+        return facets;
+    };
+    using Facets = std::vector<std::int32_t>;
+    for (const auto kind : {FacetKind::square4, FacetKind::square9}) {
+        Rods rods; // facets 0 1 2, above them 3 4 5, above them 6 7 8
+        add_rectangle(rods, kind, {3, 3}, {0, 0, 0}, {3, 0, 0}, {0, 3, 0});
+        const Skin& skin = rods.skins[0];
+        CHECK(within(skin, {4, 0.5, 0.5}) == Facets{4});
+        CHECK(within(skin, {4, 0.1, 0.5}) == Facets{0, 1, 3, 4, 6, 7});
+        CHECK(within(skin, {4, 0.5, 0.9}) == Facets{3, 4, 5, 6, 7, 8});
+        CHECK(within(skin, {0, 0.9, 0.5}) == Facets{0, 1, 3, 4});
+        CHECK(within(skin, {0, 0.1, 0.1}) == Facets{0, 1, 3}); // the ends of the rim
+    }
+    Rods rods; // two triangles, which share their longest edge
+    add_rectangle(rods, FacetKind::triangle6, {1, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    CHECK(within(rods.skins[0], {0, 0.3, 0.3}) == Facets{0});
+    CHECK(within(rods.skins[0], {0, 0.45, 0.45}) == Facets{0, 1});
 }
 
 TEST_CASE("the closest point of a facet is nearer than all samples of it", "[skin]") {

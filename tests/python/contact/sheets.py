@@ -62,10 +62,10 @@ def sheet(
     return nodes, first + 3 * np.array(facets)
 
 
-def skins_of(facets: list[Array], radius: float = 0.5) -> SkinLayout:
+def skins_of(facets: list[Array], radius: float = 0.5, dense: bool = False) -> SkinLayout:
     count = len(facets)
     body = np.arange(count)
-    return SkinLayout(tuple(facets), body, np.full(count, -1), np.full(count, radius))
+    return SkinLayout(tuple(facets), body, np.full(count, -1), np.full(count, radius), dense)
 
 
 def contact_of(
@@ -73,12 +73,18 @@ def contact_of(
     facets: list[Array],
     tubes: TubeLayout = NO_TUBES,
     friction: float = 0.0,
+    dense: bool = False,
     num_bodies: int = 3,
     comm: MPI.Comm = MPI.COMM_SELF,
 ) -> Contact:
     """Contact of skins, whose bodies are 0, 1..., with the penalty of tests."""
     contact = Contact(
-        comm, tubes, smooth=True, symmetric=False, skins=skins_of(facets), rest=rest.ravel()
+        comm,
+        tubes,
+        smooth=True,
+        symmetric=False,
+        skins=skins_of(facets, dense=dense),
+        rest=rest.ravel(),
     )
     contact.laws.num_bodies = num_bodies
     contact.laws.friction = [friction] * num_bodies**2
