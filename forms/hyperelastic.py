@@ -26,8 +26,8 @@ class Split(NamedTuple):
     of the change of volume.
     """
 
-    axial: Any | None  # of the fibre's strain while the section contracts freely
-    shear: Any | None  # of the shear between fibre and section
+    axial: Any  # of the fibre's strain while the section contracts freely
+    shear: Any  # of the shear between fibre and section
     shape: Any  # of the section's change of shape
     volume: Any  # of the section's change of area beyond its free contraction
 
