@@ -26,8 +26,8 @@ class Split(NamedTuple):
     of the change of volume.
     """
 
-    axial: Any | None  # of the fibre's strain while the section contracts freely
-    shear: Any | None  # of the shear between fibre and section
+    axial: Any  # of the fibre's strain while the section contracts freely
+    shear: Any  # of the shear between fibre and section
     shape: Any  # of the section's change of shape
     volume: Any  # of the section's change of area beyond its free contraction
 
@@ -65,7 +65,9 @@ def transversely_isotropic(
     """Quadratic in E, isotropic across the unit direction `fibre` (shape (3,)).
 
     The energies of `materials`, written with the invariants tr E, a.E.a, |E a|^2 and tr E^2, so that no
-    second direction is needed. `fibre_stress` is the fibre's second Piola-Kirchhoff stress at rest, MPa.
+    second direction is needed. Compressed beyond about G_a along the fibre it kinks, as bundles of
+    fibres do, in bands of one cell: a yarn that bends without being pulled needs a G_a of that size.
+    `fibre_stress` is the fibre's second Piola-Kirchhoff stress at rest, MPa.
     """
     strain = green_lagrange(gradient)
     along = ufl.dot(strain, fibre)

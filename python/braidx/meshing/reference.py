@@ -65,12 +65,12 @@ class ReferenceCell:
 
     @cached_property
     def _coefficients(self) -> FloatArray:
-        return np.linalg.inv(_powers(self.points, self._exponents, None))
+        return np.asarray(np.linalg.inv(_powers(self.points, self._exponents, None)))
 
 
 def _powers(at: FloatArray, exponents: IntArray, derivative: int | None) -> FloatArray:
     """Monomials, or their derivatives by one coordinate, at points; shape (n, num_monomials)."""
-    result = np.ones((len(at), len(exponents)))
+    result: FloatArray = np.ones((len(at), len(exponents)))
     for i in range(at.shape[1]):
         power, x = exponents[None, :, i], at[:, i, None]
         if i == derivative:
