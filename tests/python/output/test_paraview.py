@@ -105,7 +105,7 @@ def test_skins_and_core_are_written(tmp_path: Path) -> None:
     kinds = array(tmp_path / "contacts_00004.vtp", "kind (-)")
     np.testing.assert_array_equal(kinds, one.contacts.kind)
     for kind in ("skins", "core"):
-        assert "timestep=\"4\"" in (tmp_path / f"{kind}.pvd").read_text()
+        assert 'timestep="4"' in (tmp_path / f"{kind}.pvd").read_text()
     bare = replace(one, skins=(), core=None)
     for write, what in ((write_skins, "skins"), (write_core, "core")):
         with pytest.raises(ValueError, match=what):

@@ -64,9 +64,7 @@ def _frame(snapshot: Snapshot, picture: np.ndarray) -> Image.Image:
     return page
 
 
-def _encoded(
-    frames: list[Image.Image], times: list[int], colours: int, scale: float
-) -> bytes:
+def _encoded(frames: list[Image.Image], times: list[int], colours: int, scale: float) -> bytes:
     """The GIF, all frames in one palette, taken from the last frame."""
     size = (int(frames[0].width * scale), int(frames[0].height * scale))
     resized = [frame.resize(size, Image.Resampling.LANCZOS) for frame in frames]

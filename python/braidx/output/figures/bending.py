@@ -50,9 +50,7 @@ def draw_bending(
     }
     if last.axial_stress is not None or last.skins:
         jobs["bent_stress.png"] = lambda path: bent.draw_bent(last, path, Colouring.STRESS)
-        jobs["bent_stress_aslant.png"] = lambda path: bent.draw_aslant(
-            last, path, Colouring.STRESS
-        )
+        jobs["bent_stress_aslant.png"] = lambda path: bent.draw_aslant(last, path, Colouring.STRESS)
     if last.contacts is not None:
         jobs["contact_map.png"] = lambda path: contact_map.draw_contact_map(last, path)
     if last is not straight:

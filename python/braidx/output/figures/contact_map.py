@@ -25,8 +25,7 @@ def draw_contact_map(snapshot: Snapshot, path: Path) -> Path:
     if table is None or not (table.normal_force > 0.0).any():
         raise ValueError(f"Snapshot {snapshot.name!r}: no contact carries a force.")
     axis = axis_of(snapshot)
-    ends = np.arange(2) * (len(axis.line) - 1.0)
-    low, high = axis.arc_length(ends)
+    low, high = axis.arc_length(np.array([0.0, len(axis.line) - 1.0]))
     crown = np.array([int(np.argmin(np.abs(axis.line[:, 2] - crown_of(snapshot))))], dtype=float)
     kinds = [k for k in range(len(KINDS)) if (table.of(k).normal_force > 0.0).any()]
     page = figure(9.0, 2.9 * len(kinds) + 0.5)
@@ -38,7 +37,9 @@ def draw_contact_map(snapshot: Snapshot, path: Path) -> Path:
         force = rows.normal_force[active]
         along, angle, _ = axis.unroll(rows.position[active])
         size = 4.0 + 46.0 * force / force.max()
-        dots = ax.scatter(along, from_sheave(angle), c=force, s=size, cmap="viridis", vmin=0.0, lw=0)
+        dots = ax.scatter(
+            along, from_sheave(angle), c=force, s=size, cmap="viridis", vmin=0.0, lw=0
+        )
         unrolled(ax, low, high, float(axis.arc_length(crown)[0]))
         page.colorbar(dots, ax=ax, pad=0.08).set_label("normal force (N)")
         ax.set_title(

@@ -28,7 +28,7 @@ def sheave_surface(sheave: SheavePicture, rope_radius: float) -> Triangles:
         rope_radius: Half the diameter of the rope, mm; a flat sheave is drawn wide enough for it.
     """
     half = half_width(sheave, rope_radius)
-    across = np.linspace(-half, half, 33)
+    across: Array = np.linspace(-half, half, 33, dtype=np.float64)
     rim = np.stack([across, sheave.profile(across)], axis=1)
     hub = _HUB * sheave.radius
     side = np.linspace(hub, rim[0, 1], 12)

@@ -99,18 +99,14 @@ def rasterise(triangles: Triangles, view: View) -> Fragments:
     )
 
 
-def _limits(
-    corner: Array, axis: int, size: int
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _limits(corner: Array, axis: int, size: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """First pixel and number of pixels of each triangle's box along one axis of the picture."""
     first = np.clip(np.ceil(corner[:, :, axis].min(axis=1)), 0, size).astype(np.int64)
     end = np.clip(np.floor(corner[:, :, axis].max(axis=1)) + 1, 0, size).astype(np.int64)
     return first, np.maximum(end - first, 0)
 
 
-def _chunks(
-    corner: Array, double_area: Array, shape: tuple[int, int]
-) -> list[NDArray[np.int64]]:
+def _chunks(corner: Array, double_area: Array, shape: tuple[int, int]) -> list[NDArray[np.int64]]:
     """Triangles that cover pixels, nearest first, in portions of about _CHUNK pixels."""
     count = _limits(corner, 0, shape[1])[1] * _limits(corner, 1, shape[0])[1]
     order = np.argsort(-corner[:, :, 2].max(axis=1), kind="stable")
