@@ -28,9 +28,7 @@ def capacity(temperature: ufl.Coefficient, heat_capacity: Any, degree: int) -> V
     return _variation(density, ufl.dx, temperature, degree)
 
 
-def conduction(
-    temperature: ufl.Coefficient, across: Any, along: Any, degree: int
-) -> Variation:
+def conduction(temperature: ufl.Coefficient, across: Any, along: Any, degree: int) -> Variation:
     """Half the heat conducted, with conductivities across and along the axis, W/(mm K)."""
     slope = ufl.grad(temperature)
     density = 0.5 * (across * slope[0] ** 2 + along * slope[1] ** 2)

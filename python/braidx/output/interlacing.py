@@ -156,4 +156,4 @@ def _by_pair(first: Integers, second: Integers) -> dict[tuple[int, int], Integer
     kinds, at = np.unique(pairs, axis=0, return_inverse=True)
     order = np.argsort(at.ravel(), kind="stable")
     groups = np.split(order, np.cumsum(np.bincount(at.ravel()))[:-1])
-    return {(int(kind[0]), int(kind[1])): group for kind, group in zip(kinds, groups)}
+    return {(int(kinds[k, 0]), int(kinds[k, 1])): group for k, group in enumerate(groups)}

@@ -74,7 +74,8 @@ def section_ratio(outline: Array) -> float:
 def _loops(links: Integers) -> list[Integers]:
     """Closed walks along links between points; walks that end somewhere are left out."""
     neighbours: dict[int, list[int]] = {}
-    for one, two in links.tolist():
+    for pair in links:
+        one, two = int(pair[0]), int(pair[1])
         neighbours.setdefault(one, []).append(two)
         neighbours.setdefault(two, []).append(one)
     loops = []

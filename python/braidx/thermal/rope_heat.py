@@ -109,9 +109,7 @@ class RopeHeat:
         """Temperature in the end, shape (radial nodes, axial nodes), degrees C."""
         return self._grid(splu(self.stiffness.tocsc()).solve(self.power) + self.material.ambient)
 
-    def run(
-        self, duration: float, steps: int, initial: FloatArray | None = None
-    ) -> HeatHistory:
+    def run(self, duration: float, steps: int, initial: FloatArray | None = None) -> HeatHistory:
         """Let time pass with the sources as set.
 
         Args:
@@ -125,7 +123,7 @@ class RopeHeat:
         if duration <= 0.0 or steps < 1:
             raise ValueError(f"heat: {duration} s in {steps} steps; give positive numbers.")
         length = duration / steps
-        above = np.zeros(self.mesh.num_nodes)
+        above: FloatArray = np.zeros(self.mesh.num_nodes)
         if initial is not None:
             above = np.asarray(initial, dtype=float).ravel() - self.material.ambient
         solve = splu((self.capacity / length + self.stiffness).tocsc()).solve
@@ -135,7 +133,7 @@ class RopeHeat:
             states.append(above)
             given_off.append(given_off[-1] + length * float((self.convection @ above).sum()))
         stored = np.array([float((self.capacity @ state).sum()) for state in states])
-        time = length * np.arange(steps + 1)
+        time: FloatArray = np.linspace(0.0, duration, steps + 1, dtype=np.float64)
         volume = float(cell_volumes(self.radial_edges, self.axial_edges).sum())
         return HeatHistory(
             time=time,

@@ -20,6 +20,7 @@ from braidx.output.bending_measures import (
     work_per_cycle,
     yarn_sheave_force_max,
 )
+from braidx.output.bending_results import BENDING_RESULTS, bending_results
 from braidx.output.contact_table import YARN_CORE
 from braidx.output.cuts import frames, node_tangents
 from braidx.output.slices import section_ratio, slice_skin
@@ -113,3 +114,16 @@ def test_a_plane_through_corners_or_open_ends() -> None:
     assert slice_skin(skin, np.array([0.0, 0.0, 20.0]), up) == []
     aslant = np.array([1.0, 0.0, 0.02])
     assert slice_skin(skin, np.array([0.0, 0.0, 5.0]), aslant) == []  # leaves through both ends
+
+
+def test_results_for_the_summary() -> None:
+    straight, bent = bent_rope(0.0), bent_rope(1.0)
+    found = bending_results(straight, bent)
+    assert set(found) == set(BENDING_RESULTS) - {"von_mises_max"}
+    assert found["crossing_points"] == 294 and found["relative_displacement"] < 1e-4
+    assert found["yarn_sheave_force_max"] == pytest.approx(150.0)
+    solids = bending_results(straight, bent_rope(1.0, solids=True))
+    assert set(solids) == set(BENDING_RESULTS)
+    assert solids["section_ratio_min"] == pytest.approx(0.88 / 1.12, rel=3e-3)
+    bare = bending_results(straight, replace(bent, contacts=None))
+    assert "core_pressure_max" not in bare and "relative_displacement_max" in bare

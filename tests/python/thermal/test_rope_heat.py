@@ -83,9 +83,11 @@ def test_a_thin_rope_cools_like_one_lump() -> None:
         history = model.run(duration, steps, start)
         exact = 15.0 + 60.0 * np.exp(-rate * history.time)
         errors.append(np.abs(history.mean - exact).max())
-        np.testing.assert_allclose(history.mean, 15 + 60 * (1 + rate * duration / steps) ** -np.arange(
-            steps + 1.0
-        ), rtol=2e-4)
+        np.testing.assert_allclose(
+            history.mean,
+            15 + 60 * (1 + rate * duration / steps) ** -np.arange(steps + 1.0),
+            rtol=2e-4,
+        )
     assert errors[1] == pytest.approx(0.5 * errors[0], rel=0.05)
 
 

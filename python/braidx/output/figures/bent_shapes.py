@@ -60,7 +60,8 @@ def shapes(
             colour = np.where(np.isfinite(skin.von_mises)[:, None], colour, _UNKNOWN)
         else:
             colour = np.concatenate([yarns, [CORE_COLOUR]])[skin.owner]  # -1 is the core
-        inside = np.array(_UNKNOWN) if colouring is Colouring.STRESS else None
+        # What the stress is inside, a skin does not know.
+        inside = np.tile(_UNKNOWN, (len(colour), 1)) if colouring is Colouring.STRESS else colour
         parts.append(_surface(skin, colour, inside))
     return parts
 
@@ -109,7 +110,7 @@ def _core_tubes(snapshot: Snapshot) -> list[Triangles]:
     return [swept(core.line, radius, np.array([colour])) for radius, colour in radii]
 
 
-def _surface(skin: SkinPicture, colour: Array, inside: Array | None) -> Triangles:
+def _surface(skin: SkinPicture, colour: Array, inside: Array) -> Triangles:
     corners, face = skin.triangles()
     normals = smooth_normals(skin.points, corners)
-    return Triangles(skin.points, normals, corners, colour[face], inside)
+    return Triangles(skin.points, normals, corners, colour[face], inside[face])

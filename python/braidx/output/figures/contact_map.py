@@ -25,8 +25,7 @@ def draw_contact_map(snapshot: Snapshot, path: Path) -> Path:
     if table is None or not (table.normal_force > 0.0).any():
         raise ValueError(f"Snapshot {snapshot.name!r}: no contact carries a force.")
     axis = axis_of(snapshot)
-    ends = np.arange(2) * (len(axis.line) - 1.0)
-    low, high = axis.arc_length(ends)
+    low, high = axis.arc_length(np.array([0.0, len(axis.line) - 1.0]))
     crown = np.array([int(np.argmin(np.abs(axis.line[:, 2] - crown_of(snapshot))))], dtype=float)
     kinds = [k for k in range(len(KINDS)) if (table.of(k).normal_force > 0.0).any()]
     page = figure(9.0, 2.9 * len(kinds) + 0.5)

@@ -81,7 +81,7 @@ def crown_outlines(snapshot: Snapshot, crown: float) -> tuple[list[Array], Array
     section = cut(snapshot, crown)
     for outline, yarn in zip(section.outlines(64), section.yarn):
         if yarn not in owners:
-            outlines.append(outline)
+            outlines.append(np.asarray(outline))
             owners.append(int(yarn))
     return outlines, np.array(owners, dtype=np.int64)
 
@@ -93,11 +93,10 @@ def _draw_core(ax: Axes, snapshot: Snapshot, crown: float) -> None:
         return
     line = core.line
     at = int(np.argmin(np.abs(line[:, 2] - crown)))
-    ax.add_patch(Circle(line[at, :2], core.radius, facecolor=CORE_COLOUR, edgecolor=INK, lw=0.7))
+    middle = (float(line[at, 0]), float(line[at, 1]))
+    ax.add_patch(Circle(middle, core.radius, facecolor=CORE_COLOUR, edgecolor=INK, lw=0.7))
     if core.inner_radius > 0.0:
-        ax.add_patch(
-            Circle(line[at, :2], core.inner_radius, facecolor="white", edgecolor=INK, lw=0.7)
-        )
+        ax.add_patch(Circle(middle, core.inner_radius, facecolor="white", edgecolor=INK, lw=0.7))
 
 
 def _draw_sheave(ax: Axes, snapshot: Snapshot, x: Array, bottom: float) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from braidx.output.figures.raycast import Tubes, View, cast
-from braidx.output.figures.triangles import Triangles, rasterise
+from braidx.output.figures.triangles import Triangles, joined, rasterise
 from braidx.output.snapshot import Array
 
 
@@ -29,12 +29,17 @@ class Seen:
 
 
 def see(parts: Sequence[Tubes | Triangles], view: View) -> Seen:
-    """The nearest of all parts per pixel; of two at equal depth the later one."""
+    """The nearest of all parts per pixel; of a tube and a surface at equal depth the surface."""
     shape = view.shape
     depth, is_cut = np.full(shape, -np.inf), np.zeros(shape, dtype=bool)
     colour, normal = np.zeros((*shape, 3)), np.zeros((*shape, 3))
-    for part in parts:
-        one = _see_tubes(part, view) if isinstance(part, Tubes) else _see_triangles(part, view)
+    seen = [_see_tubes(part, view) for part in parts if isinstance(part, Tubes)]
+    surfaces = [part for part in parts if isinstance(part, Triangles)]
+    if surfaces:
+        seen.append(_see_triangles(joined(surfaces), view))
+    if len(seen) == 1:
+        return seen[0]
+    for one in seen:
         front = one.covered & (one.depth >= depth)
         depth[front], is_cut[front] = one.depth[front], one.is_cut[front]
         colour[front], normal[front] = one.colour[front], one.normal[front]
@@ -50,5 +55,6 @@ def _see_triangles(triangles: Triangles, view: View) -> Seen:
     fragments = rasterise(triangles, view)
     colour = triangles.colour[fragments.triangle]
     if triangles.inside is not None:
-        colour[fragments.is_cut] = triangles.inside
+        cut = fragments.is_cut
+        colour[cut] = triangles.inside[fragments.triangle[cut]]
     return Seen(fragments.depth, colour, fragments.normal, fragments.is_cut)

@@ -37,7 +37,7 @@ def render_parts(
     """Picture of tubes and surfaces together, shape (rows, columns, 4), as of `render`.
 
     Args:
-        parts: What is shown; of two at equal depth the later one.
+        parts: What is shown.
         view: From where; its pixels are those of the result.
         radius: How wide the grooves are that lie in shadow, mm.
         supersample: Rays per pixel in either direction.

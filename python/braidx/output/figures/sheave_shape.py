@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from braidx.output.figures.triangles import Triangles, smooth_normals
+from braidx.output.figures.triangles import Triangles, joined, smooth_normals
 from braidx.output.sheave_picture import SheavePicture
 from braidx.output.snapshot import Array
 
@@ -28,7 +28,7 @@ def sheave_surface(sheave: SheavePicture, rope_radius: float) -> Triangles:
         rope_radius: Half the diameter of the rope, mm; a flat sheave is drawn wide enough for it.
     """
     half = half_width(sheave, rope_radius)
-    across = np.linspace(-half, half, 33)
+    across: Array = np.linspace(-half, half, 33, dtype=np.float64)
     rim = np.stack([across, sheave.profile(across)], axis=1)
     hub = _HUB * sheave.radius
     side = np.linspace(hub, rim[0, 1], 12)
@@ -39,14 +39,9 @@ def sheave_surface(sheave: SheavePicture, rope_radius: float) -> Triangles:
         np.stack([np.full(12, half), side[::-1]], axis=1),
         bore,
     ]
+    # Each with points of its own, so that edges between them stay sharp.
     surfaces = [_revolved(sheave, piece) for piece in pieces]
-    offsets = np.cumsum([0, *(len(surface.points) for surface in surfaces)])
-    return Triangles(
-        np.concatenate([surface.points for surface in surfaces]),
-        np.concatenate([surface.normals for surface in surfaces]),
-        np.concatenate([s.corners + offset for s, offset in zip(surfaces, offsets)]),
-        np.concatenate([surface.colour for surface in surfaces]),
-    )
+    return joined(surfaces)
 
 
 def _revolved(sheave: SheavePicture, profile: Array) -> Triangles:

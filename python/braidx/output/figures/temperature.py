@@ -42,7 +42,7 @@ def draw_temperature(
     map_axes.set_title(f"temperature in the rope, at most {field.max():.1f} °C")
     bar = page.colorbar(colours, ax=map_axes, pad=0.01)
     bar.set_label("°C")
-    bar.ax.yaxis.get_major_locator().set_params(nbins=5)
+    bar.ax.locator_params(axis="y", nbins=5)
     along.plot(heights, field.max(axis=0), color=AMBER, lw=1.6, label="hottest in the section")
     along.plot(heights, field[-1], color=BLUE, lw=1.6, label="surface")
     along.set_xlabel("z before bending (mm)")
@@ -51,7 +51,9 @@ def draw_temperature(
     map_axes.set_xlim(heights[0], heights[-1])
     if crown is not None:
         along.axvline(crown, color=GREY, lw=0.8, ls=":")
-        along.text(crown, 1.01, "crown", color=GREY, ha="center", transform=along.get_xaxis_transform())
+        along.text(
+            crown, 1.01, "crown", color=GREY, ha="center", transform=along.get_xaxis_transform()
+        )
     along.legend(loc="upper right")
     if time is not None and maximum is not None:
         axes[2].plot(time / 60.0, maximum, color=AMBER, lw=1.6)
@@ -75,6 +77,8 @@ def write_temperature(radii: Array, heights: Array, field: Array, path: Path) ->
     """
     r, z = np.meshgrid(radii, heights, indexing="ij")
     points = np.stack([r, 0.0 * r, z], axis=-1).reshape(-1, 3)
-    first = (np.arange(len(radii) - 1)[:, None] * len(heights) + np.arange(len(heights) - 1)).ravel()
+    first = (
+        np.arange(len(radii) - 1)[:, None] * len(heights) + np.arange(len(heights) - 1)
+    ).ravel()
     quads = np.stack([first, first + len(heights), first + len(heights) + 1, first + 1], axis=1)
     vtp.write(path, points, {"Polys": quads}, {"temperature (degrees C)": field.ravel()})

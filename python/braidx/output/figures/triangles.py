@@ -7,6 +7,7 @@ runs through the solid, and the cut face is drawn.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,7 +28,7 @@ class Triangles:
     normals: Array  # (n, 3), unit, outward
     corners: NDArray[np.int64]  # (m, 3)
     colour: Array  # (m, 3), red, green, blue, 0..1
-    inside: Array | None = None  # (3,), of cut faces; None: that of the triangle behind
+    inside: Array | None = None  # (m, 3), of cut faces by the triangle behind them; None: `colour`
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,18 @@ class Fragments:
     triangle: NDArray[np.int64]  # -1 where the ray meets nothing
     is_cut: NDArray[np.bool_]
     normal: Array  # (rows, columns, 3), in the frame of the view
+
+
+def joined(parts: Sequence[Triangles]) -> Triangles:
+    """Several surfaces as one."""
+    offsets = np.cumsum([0, *(len(part.points) for part in parts)])
+    return Triangles(
+        np.concatenate([part.points for part in parts]),
+        np.concatenate([part.normals for part in parts]),
+        np.concatenate([part.corners + offset for part, offset in zip(parts, offsets)]),
+        np.concatenate([part.colour for part in parts]),
+        np.concatenate([p.colour if p.inside is None else p.inside for p in parts]),
+    )
 
 
 def smooth_normals(points: Array, corners: NDArray[np.int64]) -> Array:

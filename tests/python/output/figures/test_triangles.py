@@ -75,7 +75,8 @@ def test_ends_of_tubes_are_closed_and_face_outwards() -> None:
 
 def test_a_cutting_plane_shows_the_inside() -> None:
     cut_view = replace(VIEW, cut_depth=0.5)
-    one = replace(tube([-30, 0, 0], [30, 0, 0]), inside=BLUE[0])
+    one = tube([-30, 0, 0], [30, 0, 0])
+    one = replace(one, inside=np.broadcast_to(BLUE, one.colour.shape))
     found = rasterise(one, cut_view)
     cut = found.is_cut[:, 100]
     assert cut.sum() / 20 == pytest.approx(2 * np.sqrt(0.75), abs=0.11)
@@ -85,7 +86,7 @@ def test_a_cutting_plane_shows_the_inside() -> None:
     assert (rasterise(tube([-30, 0, 3], [30, 0, 3]), cut_view).triangle == -1).all()
 
 
-def test_the_nearer_part_hides_the_other_and_the_later_one_wins_a_tie() -> None:
+def test_the_nearer_part_hides_the_other_and_a_cut_shows_the_bore() -> None:
     far, near = tube([-9, 0, -2], [9, 0, -2]), replace(tube([0, -9, 2], [0, 9, 2]))
     near = replace(near, colour=np.broadcast_to(BLUE, near.colour.shape))
     for parts in ([far, near], [near, far]):
