@@ -29,17 +29,16 @@ class Seen:
 
 
 def see(parts: Sequence[Tubes | Triangles], view: View) -> Seen:
-    """The nearest of all parts per pixel; of a tube and a surface at equal depth the surface."""
+    """The nearest of all parts per pixel; of two at equal depth the later one."""
     shape = view.shape
     depth, is_cut = np.full(shape, -np.inf), np.zeros(shape, dtype=bool)
     colour, normal = np.zeros((*shape, 3)), np.zeros((*shape, 3))
-    seen = [_see_tubes(part, view) for part in parts if isinstance(part, Tubes)]
     surfaces = [part for part in parts if isinstance(part, Triangles)]
-    if surfaces:
-        seen.append(_see_triangles(joined(surfaces), view))
-    if len(seen) == 1:
-        return seen[0]
-    for one in seen:
+    if len(surfaces) > 1 and not np.isfinite(view.cut_depth):
+        # Much faster. A cut needs each on its own: which one a ray is in must not depend on others.
+        parts = [part for part in parts if isinstance(part, Tubes)] + [joined(surfaces)]
+    for part in parts:
+        one = _see_tubes(part, view) if isinstance(part, Tubes) else _see_triangles(part, view)
         front = one.covered & (one.depth >= depth)
         depth[front], is_cut[front] = one.depth[front], one.is_cut[front]
         colour[front], normal[front] = one.colour[front], one.normal[front]

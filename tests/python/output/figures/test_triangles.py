@@ -96,6 +96,12 @@ def test_the_nearer_part_hides_the_other_and_a_cut_shows_the_bore() -> None:
     assert seen.colour[60, 100, 2] == 1.0 and seen.colour[45, 100, 0] == 1.0
 
 
+def test_a_cut_body_is_whole_where_another_one_dips_into_it_behind() -> None:
+    thick, thin = tube([-9, 0, 0], [9, 0, 0]), tube([0, -9, -1.4], [0, 9, -1.4], 0.5)
+    seen = see([thick, thin], replace(VIEW, cut_depth=0.0))
+    assert seen.is_cut[45:75, 60:140].all()
+
+
 def test_through_glass_both_are_seen() -> None:
     behind = tube([-9, 0, -3], [9, 0, -3])
     pane = replace(tube([0, -9, 2], [0, 9, 2]))
