@@ -15,6 +15,8 @@ constexpr double facing = -0.2;
 /// Largest sine of the angle between a smooth normal and the way to the point that it belongs to:
 /// beyond, the point lies beside the surface. Facets that meet smoothly do so at up to 50 degrees.
 constexpr double sine_beside = 0.766;
+/// The same on the rim of a surface that is open there.
+constexpr double sine_rim = 0.05;
 /// A tube may lie on an edge; its centre is still above the surface beside that edge.
 constexpr double cosine_above = 0.2;
 /// Centres of tubes nearer to a skin than this share of their radius: the way to them is no normal.
@@ -23,6 +25,12 @@ constexpr double too_near = 0.2;
 bool is_beside(const SkinPlace& place) {
     const double along = (place.offset - place.height() * place.normal).norm();
     return along > sine_beside * place.offset.norm() + 1e-9;
+}
+
+/// Where a surface ends, what lies beyond is beside it: what is nearest there says nothing.
+bool is_beyond_rim(const Skin& skin, const SkinPlace& place) {
+    const double along = (place.offset - place.height() * place.normal).norm();
+    return is_on_rim(skin, place.at) && along > sine_rim * place.offset.norm() + 1e-9;
 }
 
 /// The largest distance at which places on a skin are of interest, mm.
@@ -75,7 +83,7 @@ void SkinBuilder::add_points(std::int32_t a, std::int32_t b, ContactElements& ou
         const auto place = onto.closest(point.position, [&](const SkinPlace& p) {
             const double height = p.height();
             return height <= margin && height >= -depth && point.normal.dot(p.normal) < facing &&
-                   !is_beside(p);
+                   !is_beside(p) && !is_beyond_rim(onto.skin(), p);
         });
         if (!place)
             continue;
@@ -121,6 +129,8 @@ ContactElements SkinBuilder::tube(std::int32_t a, std::int32_t skin_b) const {
             continue;
         const auto place = onto.closest(x, [&](const SkinPlace& p) {
             const double distance = p.offset.norm();
+            if (is_beyond_rim(onto.skin(), p))
+                return false;
             return p.height() > cosine_above * distance
                        ? distance <= reach
                        : distance <= onto.skin().radius && !is_beside(p);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <unordered_map>
 
@@ -60,6 +61,32 @@ void share_normals(Skin& skin, const std::vector<Vec3>& area) {
     }
 }
 
+/// Distances of a place to the edges, in the order of the outline.
+std::array<double, 4> distances_to_edges(const Skin& skin, const FacetPoint& at) {
+    if (is_triangle(skin.kind))
+        return {at.v, 1 - at.u - at.v, at.u, 1};
+    return {at.v, 1 - at.u, 1 - at.v, at.u};
+}
+
+void find_rim(Skin& skin) {
+    const auto outline = facet_outline(skin.kind);
+    const auto vertices = [&](std::int32_t facet, std::size_t edge) {
+        return std::minmax({skin.unknown_of(facet, outline[edge]),
+                            skin.unknown_of(facet, outline[(edge + 1) % outline.size()])});
+    };
+    std::map<std::pair<std::int64_t, std::int64_t>, int> count;
+    for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet)
+        for (std::size_t edge = 0; edge < outline.size(); ++edge)
+            ++count[vertices(facet, edge)];
+    for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet) {
+        unsigned bits = 0;
+        for (std::size_t edge = 0; edge < outline.size(); ++edge)
+            if (count[vertices(facet, edge)] == 1)
+                bits |= 1u << edge;
+        skin.rim.push_back(static_cast<std::uint8_t>(bits));
+    }
+}
+
 /// Whether another facet has one of the two vertices of an edge, numbered along the outline.
 bool touches_edge(const Skin& skin, std::int32_t facet, std::size_t edge, std::int32_t other) {
     const auto outline = facet_outline(skin.kind);
@@ -92,10 +119,7 @@ void find_neighbours(Skin& skin) {
 } // namespace
 
 std::vector<std::int32_t> facets_within(const Skin& skin, const FacetPoint& at, double reach) {
-    // Distances to the edges, in the order of the outline.
-    const std::array<double, 4> square = {at.v, 1 - at.u, 1 - at.v, at.u},
-                                triangle = {at.v, 1 - at.u - at.v, at.u, 0};
-    const auto& distance = is_triangle(skin.kind) ? triangle : square;
+    const auto distance = distances_to_edges(skin, at);
     const auto num_edges = facet_outline(skin.kind).size();
     std::vector<std::int32_t> out = {at.facet};
     const auto f = static_cast<std::size_t>(at.facet);
@@ -108,6 +132,15 @@ std::vector<std::int32_t> facets_within(const Skin& skin, const FacetPoint& at, 
             out.push_back(other);
     }
     return out;
+}
+
+bool is_on_rim(const Skin& skin, const FacetPoint& at) {
+    const auto distance = distances_to_edges(skin, at);
+    const unsigned rim = skin.rim[static_cast<std::size_t>(at.facet)];
+    for (std::size_t edge = 0; edge < distance.size(); ++edge)
+        if ((rim >> edge & 1u) != 0 && distance[edge] < 1e-9)
+            return true;
+    return false;
 }
 
 FacetPoint contact_point(const Skin& skin, std::int64_t number) {
@@ -132,6 +165,7 @@ Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, doub
         }
     share_normals(out, areas_at_nodes(out, rest));
     find_neighbours(out);
+    find_rim(out);
     return out;
 }
 

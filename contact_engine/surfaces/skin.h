@@ -25,6 +25,9 @@ struct Skin {
     std::int32_t num_normals = 0;
     /// Facets that share a node with a facet: from first_neighbour[facet] to that of the next.
     std::vector<std::int32_t> neighbour, first_neighbour;
+    /// Edges of each facet, bit by bit along its outline, that no other facet shares: where the
+    /// surface ends.
+    std::vector<std::uint8_t> rim;
 
     int nodes_per_facet() const { return num_facet_nodes(kind); }
     std::span<const QuadraturePoint> quadrature() const { return facet_quadrature(kind, dense); }
@@ -45,6 +48,9 @@ struct FacetPoint {
     std::int32_t facet;
     double u, v;
 };
+
+/// Whether a place is on the rim of the surface.
+bool is_on_rim(const Skin& skin, const FacetPoint& at);
 
 /// The facet and coordinates of a contact point.
 FacetPoint contact_point(const Skin& skin, std::int64_t number);
