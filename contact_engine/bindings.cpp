@@ -137,6 +137,17 @@ NB_MODULE(braidx_engine, m) {
         },
         "surfaces"_a, "crossings"_a, "rigid"_a, "q"_a, "previous"_a, "options"_a, without_gil);
     m.def(
+        "set_rest_overlaps",
+        [](PairingOptions& options, const In<std::int32_t>& surface,
+           const In<std::int64_t>& station, const In<double>& depth) {
+            options.rest_overlaps.clear();
+            for (std::size_t i = 0; i < depth.size(); ++i) {
+                auto& deepest = options.rest_overlaps[{surface.data()[i], station.data()[i]}];
+                deepest = std::max(deepest, depth.data()[i]);
+            }
+        },
+        "options"_a, "surface"_a, "station"_a, "depth"_a);
+    m.def(
         "make_plane",
         [](const In<double>& point, const In<double>& normal, int body) {
             return Rigid{Plane{vector3(point), vector3(normal).normalized()}, body};

@@ -4,7 +4,14 @@
 #include "contact_element.h"
 #include "crossings.h"
 
+#include <map>
+
 namespace braidx {
+
+/// How deep particles are in the skins of other solids in the configuration at rest, mm, by surface
+/// and station: sections of a few edges stick out of the round ones they stand for. They count as
+/// touching there, as if a mesh had been made to fit.
+using RestOverlaps = std::map<std::pair<std::int32_t, std::int64_t>, double>;
 
 /// How contact elements are made.
 struct PairingOptions {
@@ -13,8 +20,9 @@ struct PairingOptions {
     double spacing = 1.0; ///< of line stations, mm
     double point_tolerance =
         0.005; ///< approach that line stations may miss before a point station is added, mm
-    bool keep_points = false;     ///< point stations are those of before, with their weights
-    double stiffness = 1000;      ///< first penalty per length of a new zone, N/mm per mm
+    bool keep_points = false; ///< point stations are those of before, with their weights
+    double stiffness = 1000;  ///< first penalty per length of a new zone, N/mm per mm
+    RestOverlaps rest_overlaps;
     double area_stiffness = 1000; ///< the same per area, for contact points of skins, N/mm per mm^2
     bool keep_side =
         true;     ///< tubes never pass through each other; off while a shape is being found

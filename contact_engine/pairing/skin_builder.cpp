@@ -100,8 +100,14 @@ void SkinBuilder::add_points(std::int32_t a, std::int32_t b, ContactElements& ou
                        .facet_a = point.at.facet,
                        .facet_b = place->at.facet,
                        .xi_a = {point.at.u, point.at.v},
-                       .xi_b = {place->at.u, place->at.v}});
+                       .xi_b = {place->at.u, place->at.v},
+                       .allowance = rest_overlap(a, k)});
     }
+}
+
+double SkinBuilder::rest_overlap(std::int32_t surface, std::int64_t station) const {
+    const auto at = options_.rest_overlaps.find({surface, station});
+    return at == options_.rest_overlaps.end() ? 0 : at->second;
 }
 
 ContactElements SkinBuilder::skins(std::int32_t a, std::int32_t b) const {
@@ -147,7 +153,8 @@ ContactElements SkinBuilder::tube(std::int32_t a, std::int32_t skin_b) const {
                        .weight = spacing,
                        .stiffness = 0,
                        .facet_b = place->at.facet,
-                       .xi_b = {place->at.u, place->at.v}});
+                       .xi_b = {place->at.u, place->at.v},
+                       .allowance = rest_overlap(a, k)});
     }
     return builder_.finished(std::move(out));
 }

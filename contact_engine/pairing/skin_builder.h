@@ -27,6 +27,7 @@ private:
     const CurrentSkin& current(std::int32_t surface) const {
         return current_[static_cast<std::size_t>(surface - surfaces_.num_tubes())];
     }
+    double rest_overlap(std::int32_t surface, std::int64_t station) const;
     void add_points(std::int32_t a, std::int32_t b, ContactElements& out) const;
 
     DeformableSurfaces surfaces_;

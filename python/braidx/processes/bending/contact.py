@@ -44,6 +44,8 @@ def make_contact(comm: MPI.Comm, scene: Scene, surfaces: Surfaces, start: Floats
     # Yarns lie between them wherever they come close.
     may_touch[CORE, SHEAVE] = may_touch[SHEAVE, CORE] = 0
     contact.pairing.may_touch = may_touch.ravel().tolist()
+    if surfaces.skins is not None:
+        contact.adopt_overlaps(start)
     return contact
 
 
