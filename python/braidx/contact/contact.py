@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import braidx_engine as engine
@@ -53,7 +54,7 @@ class Contact:
                 f"layout.beyond = {layout.beyond}: periodic samples cannot have skins; give no skins, or 0"
             )
         self.beyond = nodes_beyond(layout)
-        self._skins = engine_skins(skins, rest)
+        self._skins, self._smooth = engine_skins(skins, rest), smooth
         self.tubes = engine_tubes(layout, smooth, self.beyond)
         self.comm, self.layout, self.skins = comm, layout, skins
         radii = [layout.radius] if skins is None else [layout.radius, skins.radius]
@@ -102,7 +103,9 @@ class Contact:
 
         Meshes of round solids that touch have edges and corners in each other; nothing is strained by that.
         """
-        engine.set_rest_overlaps(self.pairing, *(np.empty(0, t) for t in (np.int32, np.int64, float)))
+        engine.set_rest_overlaps(
+            self.pairing, *(np.empty(0, t) for t in (np.int32, np.int64, float))
+        )
         self.update(q)
         self._q = self.start = q
         results = self.results(q)
@@ -116,6 +119,11 @@ class Contact:
             self.pairing, surface.astype(np.int32), station.astype(np.int64), depth.astype(float)
         )
         self.restore(engine.ContactElements())
+
+    def thin_tubes(self, by: Floats) -> None:
+        """Makes tubes thinner, shape (num_tubes,), mm."""
+        self.layout = replace(self.layout, radius=self.layout.radius - by)
+        self.tubes = engine_tubes(self.layout, self._smooth, self.beyond)
 
     def adopt_stiffness(self) -> None:
         """New zones will start with the penalty that is usual by now: the geometric mean of all processes.

@@ -24,7 +24,7 @@ def goes_on(scene: Scene) -> bool:
 
 
 def one_for_all(scene: Scene) -> bool:
-    """Whether one pitch stands for all while the rope is straight: they are alike if it goes on and is kept symmetric."""
+    """Whether one pitch of the straight rope stands for all: they are alike if it goes on and is kept symmetric."""
     return goes_on(scene) and (scene.solver.symmetry or scene.rope.pitches == 1)
 
 

@@ -40,22 +40,22 @@ class RelativeDisplacement:
     moved: Array  # (k, 2), mm, of the interlacing point along yarns a and b
     position: Array  # (k, 3), mm, now, half way between the two material points
 
-    def nearest(self, crown: float, count: int = NEAREST) -> Integers:
-        """The `count` interlacing points nearest to the crown.
+    def at_crown(self, crown: float, count: int = NEAREST) -> Integers:
+        """The `count` interlacing points near the crown that slide farthest.
 
-        The paper says "near the maximum bending point" and takes four, not which. Here nearness is
-        |z - crown| in the straight rope; of points at equal distance (to a tenth of a mm, since a
-        computed rope is not quite regular) those farther from the sheave, that is with larger y,
-        come first.
+        The paper takes four near the point of maximum bending, "so it should represent the maximum displacement of
+        yarns", and does not say which. Here they are among as many as there are yarns, one turn of crossings about
+        the crown: those nearest in the straight rope, to a tenth of a mm.
         """
+        yarns = len(np.union1d(self.reference.yarn_a, self.reference.yarn_b))
         far = np.round(np.abs(self.reference.position[:, 2] - crown), 1)
-        height = np.round(self.reference.position[:, 1], 1)
-        order = np.asarray(np.lexsort((-height, far)), dtype=np.int64)
-        return order[:count]
+        near = np.argsort(far, kind="stable")[:yarns]
+        slid = np.nan_to_num(self.magnitude[near], nan=-1.0)
+        return np.asarray(near[np.argsort(-slid, kind="stable")][:count], dtype=np.int64)
 
     def mean_at_crown(self, crown: float, count: int = NEAREST) -> float:
-        """Mean over the `count` interlacing points nearest to z = crown, mm; NaN without any."""
-        chosen = self.magnitude[self.nearest(crown, count)]
+        """Mean over the `count` interlacing points `at_crown`, mm; NaN without any."""
+        chosen = self.magnitude[self.at_crown(crown, count)]
         chosen = chosen[np.isfinite(chosen)]
         return float(chosen.mean()) if len(chosen) else float("nan")
 

@@ -15,7 +15,7 @@ from ..output.log import LOGGER
 from ..output.summary import PhaseCost
 from ..scene import Bend, BendCycles, Cycle, Form, Hold, Pull, Scene, Settle, Step, Straighten
 from . import state as checkpoint
-from .bending.bend import bend, bend_cycles, straighten
+from .bending.bend import bend, bend_cycles, improved, straighten
 from .bending.model import BentRope
 from .bending.start import BENT, clamped, make_bent_rope
 from .form import form
@@ -89,10 +89,17 @@ def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -
             state = _counted(outcome, state, step, seconds)
             recorder.record(model, step, replace(outcome, state=state), seconds)
             clock = time.perf_counter()
-        following = next_stage(model, state) if isinstance(model, RopeModel) else None
+        following = _once_more(model, state, step)
         model = None if following else model
         state = following or state.next_step()
         recorder.checkpoint(state)
+
+
+def _once_more(model: RopeModel | BentRope, state: State, step: Step) -> State | None:
+    """What a step goes on from before the next one's turn comes; None at its end."""
+    if isinstance(model, RopeModel):
+        return next_stage(model, state)
+    return improved(model, state) if isinstance(step, Bend) else None
 
 
 def _named(outcomes: Iterator[Outcome], done: int) -> Iterator[Outcome]:

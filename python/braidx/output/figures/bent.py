@@ -38,7 +38,7 @@ def draw_bent(snapshot: Snapshot, path: Path, colouring: Colouring = Colouring.Y
     axes = panels(page, 2, 1, sharex=True)
     _fill_side(axes[0], snapshot, parts, low, high)
     _fill_side(axes[1], snapshot, parts, low, high, cut=True)
-    axes[0].set_title(f"{snapshot.name}: from the side{_ratio(snapshot)}")
+    axes[0].set_title(f"{snapshot.name}: from the side{_over(snapshot)}")
     axes[1].set_title("cut along the rope's axis")
     axes[1].set_xlabel("z (mm)")
     if scale is not None:
@@ -64,7 +64,7 @@ def draw_aslant(snapshot: Snapshot, path: Path, colouring: Colouring = Colouring
     ax.text(1.05 * bar, below, f"{bar:g} mm", ha="left", va="center")
     ax.set_ylim(2 * below, view.height)
     ax.set_axis_off()
-    ax.set_title(f"{snapshot.name}: {snapshot.num_yarns} yarns{_ratio(snapshot)}")
+    ax.set_title(f"{snapshot.name}: {snapshot.num_yarns} yarns{_over(snapshot)}")
     if scale is not None:
         _colour_bar([ax], scale, snapshot)
     return save(page, path)
@@ -156,10 +156,10 @@ def _rope_radius(snapshot: Snapshot) -> float:
     return max(float(axis.unroll(line)[2].max() + radius) for line, radius in lines)
 
 
-def _ratio(snapshot: Snapshot) -> str:
+def _over(snapshot: Snapshot) -> str:
     if snapshot.sheave is None:
         return ""
-    return f", D/d = {snapshot.sheave.radius / _rope_radius(snapshot):.2f}"
+    return f", over a sheave of {2.0 * snapshot.sheave.radius:g} mm"
 
 
 def _colour_bar(axes: list[Axes], scale: Normalize, snapshot: Snapshot) -> None:

@@ -34,7 +34,7 @@ def draw_slip_map(result: RelativeDisplacement, crown: float, path: Path, name: 
     top, bottom = panels(page, 2, 1, sharex=True, height_ratios=[1.3, 1.0])
     order = kept[np.argsort(slip[kept])]
     dots = top.scatter(z[order], angle[order], c=slip[order], s=34, cmap="viridis", vmin=0.0)
-    four = result.nearest(crown)
+    four = result.at_crown(crown)
     top.scatter(z[four], angle[four], s=90, facecolors="none", edgecolors=INK, lw=1.1)
     unrolled(top, low, high, crown)
     bar = page.colorbar(dots, ax=top, pad=0.08)

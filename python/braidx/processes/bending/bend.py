@@ -7,11 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...output.log import LOGGER
 from ...scene import Bend, BendCycles, Straighten
 from ..outcome import Outcome
 from ..state import State
+from .auto import upgraded, upgrades
 from .bender import Attempt, Bender
 from .model import BentRope
+from .start import with_stretches
 
 NEAR = 1e-9  # mm: a travel is reached
 FRAMES = 10  # pictures on the way from one end of a travel to the other
@@ -31,6 +34,17 @@ def bend(model: BentRope, state: State, step: Bend) -> Iterator[Outcome]:
         # Yarns that were formed as tubes come to rest in their own model.
         yield _outcome(bender, bender.to(0.0), 0.0, "clamped")
     yield from _travel(bender, step.travel, step.increments, "bent")
+
+
+def improved(model: BentRope, state: State) -> State | None:
+    """The rope straight again, with better models where those it was bent with do not suffice; None where they do."""
+    changes = upgrades(model, model.picture(state, "bent"))
+    if not changes:
+        return None
+    for change in changes:
+        LOGGER.info("better model: %s", change)
+    LOGGER.info("%d stretches get better models; the rope is bent again", len(changes))
+    return with_stretches(state, upgraded(model, changes))
 
 
 def straighten(model: BentRope, state: State, step: Straighten) -> Iterator[Outcome]:

@@ -14,6 +14,9 @@ from .model import BentRope
 CALM = (
     0.01  # of the stabilisation that straight ropes get: a rope that bends is held by its stiffness
 )
+PAIRED = (
+    2e-3  # residual that fresh contact elements may leave: places on solids are found by repetition
+)
 HELD = 3e-4  # work of the stabilisation over the elastic energy that an increment may leave
 
 
@@ -42,7 +45,8 @@ class Bender:
         self._moved = state.progress.get("moved", 0.0)
         scene = model.scene
         self._options = IncrementOptions(
-            penetration=scene.contact.penetration_tolerance * scene.yarn.radius
+            pairing_tolerance=PAIRED,
+            penetration=scene.contact.penetration_tolerance * scene.yarn.radius,
         )
 
     def to(self, travel: float) -> Attempt:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import braidx_engine as engine
 import numpy as np
 from mpi4py import MPI
 
@@ -10,11 +11,10 @@ from ...scene import Scene
 from ...system.constraints import Floats
 from ..rope_contact import set_options
 from ..threads import num_threads
-from .surfaces import CORE, SHEAVE, YARN, Surfaces
+from .surfaces import CORE, NO_YARN, SHEAVE, YARN, Surfaces
 
-FIRST_PENALTY = (
-    0.5  # first penalty over the transverse modulus: how yarns give way that touch along a line
-)
+# First penalty over the transverse modulus: touching yarns give way more than their surfaces do.
+FIRST_PENALTY = 5.0
 
 
 def make_contact(comm: MPI.Comm, scene: Scene, surfaces: Surfaces, start: Floats) -> Contact:
@@ -44,9 +44,28 @@ def make_contact(comm: MPI.Comm, scene: Scene, surfaces: Surfaces, start: Floats
     # Yarns lie between them wherever they come close.
     may_touch[CORE, SHEAVE] = may_touch[SHEAVE, CORE] = 0
     contact.pairing.may_touch = may_touch.ravel().tolist()
+    _fit_tubes(contact, start, surfaces)
     if surfaces.skins is not None:
         contact.adopt_overlaps(start)
     return contact
+
+
+def _fit_tubes(contact: Contact, start: Floats, surfaces: Surfaces) -> None:
+    """Makes tubes of yarns thinner by what they overlap in the straight rope, which is free of stress.
+
+    Yarns that were formed under tension are in each other by a percent of their radius.
+    """
+    contact.update(start)
+    contact.start = start
+    results = contact.results(start)
+    a, b = results["tubes"].T
+    num_tubes = len(contact.layout.radius)
+    tubes = (a < num_tubes) & (b >= 0) & (b < num_tubes)
+    both = (surfaces.yarn[a[tubes]] != NO_YARN) & (surfaces.yarn[b[tubes]] != NO_YARN)
+    depth = -results["gap"][tubes] / np.where(both, 2.0, 1.0)
+    thinner = contact.comm.allreduce(float(depth.max(initial=0.0)), op=MPI.MAX)
+    contact.thin_tubes(np.where(contact.layout.body == YARN, thinner, 0.0))
+    contact.restore(engine.ContactElements())
 
 
 def friction_table(scene: Scene) -> Floats:

@@ -38,9 +38,18 @@ def bent_results(model: BentRope, state: State, picture: Snapshot) -> dict[str, 
             "yarn_sheave_force_max": yarn_sheave_force_max(picture),
             "core_pressure_max": core_pressure_max(picture),
         }
+        results |= _shares(model)
     if _is_bent(state) and picture.skins:
         results["von_mises_max"] = von_mises_max(picture)
     return results
+
+
+def _shares(model: BentRope) -> dict[str, float]:
+    """How much of the yarns is modelled as what."""
+    elements = {"cable": 0, "beam": 0, "solid": 0}
+    for stretch in model.assembly.stretches:
+        elements[stretch.model] += stretch.last - stretch.first
+    return {f"{name}_share": count / sum(elements.values()) for name, count in elements.items()}
 
 
 def _is_bent(state: State) -> bool:

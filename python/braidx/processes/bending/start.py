@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +14,7 @@ from ...system.constraints import Floats
 from ..directors import formed_with_beams
 from ..state import State
 from .model import BentRope
-from .stretches import as_table, from_table, stretches_of
+from .stretches import Stretch, as_table, from_table, stretches_of
 
 BENT = "bent"  # the state's model
 
@@ -39,13 +40,22 @@ def straight_lines(scene: Scene, state: State) -> tuple[Floats, ...]:
 def clamped(scene: Scene, state: State) -> State:
     """The state of a rope about to be bent, made from the one that it was formed in; unknowns follow with the model."""
     lines = straight_lines(scene, state)
-    return replace(
+    state = replace(
         state,
         model=BENT,
-        q=np.empty(0),
         reference=np.concatenate(lines).ravel(),
         rest_tension=np.empty(0),
-        stretches=as_table(stretches_of(scene, lines)),
+    )
+    return with_stretches(state, stretches_of(scene, lines))
+
+
+def with_stretches(state: State, stretches: Sequence[Stretch]) -> State:
+    """A bent rope straight and clamped again, its yarns modelled otherwise."""
+    return replace(
+        state,
+        q=np.empty(0),
+        previous=np.empty(0),
+        stretches=as_table(stretches),
         contacts={},
         stabilisation_work=0.0,
         friction_work=0.0,
