@@ -30,6 +30,8 @@ class NewtonOptions:
         max_turn: Largest change of a director component in one iteration; those steps are cut one by one.
         symmetric: Whether the tangent is symmetric (Cholesky instead of LU).
         petsc: PETSc options passed through, without leading dash.
+        least_force: Force scale that counts at least, N: where nothing is strained yet, nothing but round-off is left
+            to measure a residual against.
     """
 
     tolerance: float = 1e-6
@@ -38,6 +40,7 @@ class NewtonOptions:
     max_turn: float = 0.3
     symmetric: bool = True
     petsc: Mapping[str, object] | None = None
+    least_force: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -187,7 +190,7 @@ class Newton:
         return self._relative()
 
     def _relative(self) -> float:
-        return self._norm / max(self.system.force_scale, 1e-300)
+        return self._norm / max(self.system.force_scale, self.options.least_force, 1e-300)
 
     def _function(self, snes: PETSc.SNES, x: PETSc.Vec, f: PETSc.Vec) -> None:
         self.system.set_state(self.system.expand(self.system.gather(x)))
