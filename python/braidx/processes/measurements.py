@@ -43,6 +43,9 @@ STATE_RESULTS = {
     "von_mises_max": "MPa",
     "end_force": "N",
     "friction_work_per_cycle": "mJ",
+    "temperature_max": "degrees C",
+    "temperature_steady_max": "degrees C",
+    "heating_power": "W",
 }
 
 ON_THE_WAY = ("form", "settle", "bend", "straighten", "bend_cycles")  # steps whose end counts
