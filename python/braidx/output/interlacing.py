@@ -124,22 +124,32 @@ def relative_displacement(
 
 
 def work_per_crossing(result: RelativeDisplacement, contacts: ContactTable) -> Array:
-    """Work of friction per interlacing point, shape (k,), mJ.
+    """Work of friction per interlacing point, shape (k,), mJ; see `per_crossing`."""
+    return per_crossing(result, contacts, contacts.work)
+
+
+def per_crossing(result: RelativeDisplacement, contacts: ContactTable, values: Array) -> Array:
+    """Sums per interlacing point over contact elements between its yarns, shape (k,).
 
     Each contact element between two yarns counts for the nearest interlacing point of the two;
     elements between yarns that do not cross are left out.
+
+    Args:
+        result: The interlacing points, in the state of the contacts.
+        contacts: All contact elements (m of them).
+        values: What is summed, shape (m,), such as `contacts.normal_force`.
     """
     points = result.reference
-    work = np.zeros(len(points))
-    between = contacts.of(YARN_YARN)
+    sums = np.zeros(len(points))
+    between, own = contacts.of(YARN_YARN), values[contacts.kind == YARN_YARN]
     crossings = _by_pair(points.yarn_a, points.yarn_b)
     for pair, elements in _by_pair(between.yarn_a, between.yarn_b).items():
         if pair in crossings:
             here = crossings[pair]
             apart = between.position[elements][:, None] - result.position[here]
             nearest = here[np.argmin((apart**2).sum(axis=2), axis=1)]
-            np.add.at(work, nearest, between.work[elements])
-    return work
+            np.add.at(sums, nearest, own[elements])
+    return sums
 
 
 def _across(curves: YarnCurves, points: InterlacingPoints, normal: Array) -> Array:

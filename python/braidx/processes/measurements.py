@@ -46,6 +46,9 @@ STATE_RESULTS = {
     "cable_share": "-",
     "beam_share": "-",
     "solid_share": "-",
+    "temperature_max": "degrees C",
+    "temperature_steady_max": "degrees C",
+    "heating_power": "W",
 }
 
 ON_THE_WAY = ("form", "settle", "bend", "straighten", "bend_cycles")  # steps whose end counts

@@ -19,6 +19,7 @@ from ..output.snapshot import Snapshot
 from ..output.summary import PhaseCost, Summary, peak_memory_MB
 from ..scene import Scene, Step
 from . import state as checkpoint
+from .bending.aftermath import after_bending
 from .measurements import FIRST_PULL, STATE_RESULTS, final_results
 from .recorded import RecordedModel
 from .outcome import Outcome
@@ -130,14 +131,14 @@ class Recorder:
         memory = self.comm.allreduce(peak_memory_MB())
         if self.first:
             self._history.close()
+            files = sorted((self.folder / SNAPSHOTS).glob("*.npz"))
             if self.scene.output.pictures:
-                kept = [
-                    snapshot.load(path) for path in sorted((self.folder / SNAPSHOTS).glob("*.npz"))
-                ]
+                kept = [snapshot.load(path) for path in files]
                 straight = [picture for picture in kept if picture.sheave is None]
                 rows = self.folder / "history.csv"
                 figures.draw_all(self.folder, straight, rows, self.scene.expected)
                 figures.draw_bending(self.folder, kept[len(straight) :])
+            self._results |= after_bending(self.scene, self.rope, self.folder, files)
             self._progress.finish(self._costs)
             contents = self._write_summary(converged, memory)
             close_log()

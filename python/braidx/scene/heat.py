@@ -25,7 +25,7 @@ class Heat(Table):
     density: float = option(970.0, unit="kg/m^3", above=0.0, doc="Density.")
     heat_capacity: float = option(1850.0, unit="J/(kg K)", above=0.0, doc="Heat capacity.")
     convection: float = option(
-        10.0, unit="W/(m^2 K)", minimum=0.0, doc="Heat transfer at the rope's surface."
+        10.0, unit="W/(m^2 K)", above=0.0, doc="Heat transfer at the rope's surface."
     )
     ambient: float = option(
         20.0,
