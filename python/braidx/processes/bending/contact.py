@@ -15,6 +15,7 @@ from .surfaces import CORE, NO_YARN, SHEAVE, YARN, Surfaces
 
 # First penalty over the transverse modulus: touching yarns give way more than their surfaces do.
 FIRST_PENALTY = 5.0
+MOST_THINNER = 0.03  # of the radius of tubes, for what yarns overlap in the straight rope
 
 
 def make_contact(comm: MPI.Comm, scene: Scene, surfaces: Surfaces, start: Floats) -> Contact:
@@ -63,7 +64,9 @@ def _fit_tubes(contact: Contact, start: Floats, surfaces: Surfaces) -> None:
     tubes = (a < num_tubes) & (b >= 0) & (b < num_tubes)
     both = (surfaces.yarn[a[tubes]] != NO_YARN) & (surfaces.yarn[b[tubes]] != NO_YARN)
     depth = -results["gap"][tubes] / np.where(both, 2.0, 1.0)
-    thinner = contact.comm.allreduce(float(depth.max(initial=0.0)), op=MPI.MAX)
+    # Of what was not formed but placed, and lies in each other deeply, contact has to make something.
+    deepest = min(float(depth.max(initial=0.0)), MOST_THINNER * float(contact.min_radius))
+    thinner = contact.comm.allreduce(deepest, op=MPI.MAX)
     contact.thin_tubes(np.where(contact.layout.body == YARN, thinner, 0.0))
     contact.restore(engine.ContactElements())
 

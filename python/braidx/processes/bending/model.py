@@ -33,6 +33,8 @@ from .surfaces import surfaces_of
 # METIS orders these matrices as well as any other, in half of the time that MUMPS takes to choose.
 ORDERING = {"mat_mumps_icntl_7": 5}
 
+LEAST_STRAIN = 1e-5  # of one yarn: smaller forces are none, as in the straight rope
+
 
 class BentRope:
     """Yarns, core and clamps, with contact among them and with the sheave.
@@ -85,6 +87,7 @@ class BentRope:
             max_step=radius,
             max_turn=solver.director_cap,
             symmetric=solver.tangent == "symmetric",
+            least_force=LEAST_STRAIN * yarn.axial_stiffness,
             petsc={**ORDERING, **solver.petsc},
         )
         self.newton = Newton(self.system, options, self.directors)

@@ -1,0 +1,115 @@
+"""Residual and tangent of a bent rope, its clamps and its joints."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.sparse as sp
+from mpi4py import MPI
+
+from braidx.geometry import build_rope
+from braidx.processes.bending.clamp import Clamp, ClampTerm
+from braidx.processes.bending.model import BentRope
+from braidx.processes.bending.stretches import stretches_of
+from braidx.processes.bending.yarn_states import axial_stress, centre_lines
+from braidx.scene import load_scene
+
+SCENE = Path(__file__).parent / "small_bend.toml"
+MODELS = {
+    "cables and beam": ["yarn.model=cable"],
+    "beams and solid": ["core.model=solid", "core.seeds=8"],
+    "mixed": ["yarn.model=mixed", "yarn.seeds=4", "core.model=solid", "core.seeds=8"],
+    "mixed with cables": ["yarn.model=mixed", "yarn.outer_model=cable", "yarn.seeds=4"],
+}
+
+
+def bent_rope(*overrides):
+    """A rope as placed; thin yarns, so that they hardly overlap."""
+    scene = load_scene(
+        SCENE, ["yarn.radius=0.7", "rope.pitches=1", "steps.bend.travel=5", *overrides]
+    )
+    lines = build_rope(scene).centre_lines
+    return BentRope(MPI.COMM_SELF, scene, lines, stretches_of(scene, lines))
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_tangent_is_the_derivative_of_the_residual(name):
+    model = bent_rope(*MODELS[name])
+    system, contact = model.system, model.contact
+    rng = np.random.default_rng(4)
+    contact.rigid = [model.sheave.surface(0.01)]
+    model.move(0.2, 10.0)
+    model.set_viscosity(2.0, 30.0)
+    free = system.free_values(model.start)
+    q = system.expand(free + 1e-3 * rng.standard_normal(len(free)))
+    contact.start = model.start
+    contact.update(q)
+    contact.freeze_sections()
+    model.proximal.start = model.start
+    system.update_pattern()
+    system.set_state(q)
+    system.assemble_tangent()
+    tangent = sp.csr_matrix(system.matrix.getValuesCSR()[::-1], shape=(len(free),) * 2)
+    direction = rng.standard_normal(len(free))
+    step = 1e-7
+
+    def residual(sign):
+        moved = system.free_values(q) + sign * step * direction
+        system.set_state(system.expand(moved))
+        return system.constraints.reduce(system.residual())
+
+    numerical = (residual(1.0) - residual(-1.0)) / (2.0 * step)
+    analytic = tangent @ direction
+    assert np.abs(analytic - numerical).max() < 2e-5 * np.abs(numerical).max()
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_the_straight_rope_is_free_of_stress_and_whole(name):
+    model = bent_rope(*MODELS[name])
+    assert model.system.expand(model.system.free_values(model.start)) == pytest.approx(
+        model.start, abs=1e-9
+    )
+    assert abs(model.internal_energy(model.start)) < 1e-9
+    for line, placed in zip(centre_lines(model.assembly, model.start), model.lines, strict=True):
+        assert np.abs(line - placed).max() < 1e-9
+    assert max(np.abs(s).max() for s in axial_stress(model.assembly, model.start)) < 1e-9
+
+
+def test_a_clamp_moves_what_ends_in_it_like_a_rigid_body():
+    model = bent_rope("yarn.model=mixed", "yarn.seeds=4")
+    angle, (first, last) = 0.3, model.assembly.clamps
+    q = model.start.copy()
+    q[first.vector(1)], q[first.vector(2)] = [1, 0, 0], [0, np.cos(angle), np.sin(angle)]
+    q[last.axial] = model.scene.length - 2.0
+    q = model.system.expand(model.system.free_values(q))
+    turn = np.array(
+        [[1, 0, 0], [0, np.cos(angle), -np.sin(angle)], [0, np.sin(angle), np.cos(angle)]]
+    )
+    for line, placed in zip(centre_lines(model.assembly, q), model.lines, strict=True):
+        assert line[0] == pytest.approx(turn @ placed[0] + [0, 0, 2.0], abs=1e-12)
+    assert q[first.axial] == pytest.approx(2.0)
+
+
+def test_energy_of_clamps_and_its_derivatives():
+    clamps = (Clamp(0, 0.0), Clamp(9, 5.0))
+    term = ClampTerm(clamps, stiffness=3.0)
+    q = np.concatenate([clamp.start for clamp in clamps])
+    rng = np.random.default_rng(1)
+    q += 0.2 * rng.standard_normal(len(q))
+    rows, cols = term.tangent_pattern()
+    term.set_state(q)
+    matrix = sp.coo_matrix((term.tangent_values(), (rows, cols)), shape=(len(q),) * 2).toarray()
+    residual = np.zeros(len(q))
+    term.add_residual(residual)
+    for i in range(len(q)):
+        energies, forces = [], []
+        for sign in (1.0, -1.0):
+            moved = q.copy()
+            moved[i] += sign * 1e-6
+            term.set_state(moved)
+            energies.append(term.energy())
+            force = np.zeros(len(q))
+            term.add_residual(force)
+            forces.append(force)
+        assert residual[i] == pytest.approx((energies[0] - energies[1]) / 2e-6, abs=1e-8)
+        assert matrix[:, i] == pytest.approx((forces[0] - forces[1]) / 2e-6, abs=1e-7)
