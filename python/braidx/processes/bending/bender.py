@@ -11,13 +11,13 @@ from ..outcome import NotConverged
 from ..state import State
 from .model import BentRope
 
-CALM = (
+# Of the stabilisation that straight ropes get: a rope that bends is held by its stiffness, and goes far in an increment.
+CALM = 1e-3
     0.01  # of the stabilisation that straight ropes get: a rope that bends is held by its stiffness
 )
 PAIRED = (
     2e-3  # residual that fresh contact elements may leave: places on solids are found by repetition
 )
-HELD = 3e-4  # work of the stabilisation over the elastic energy that an increment may leave
 
 
 @dataclass
@@ -80,8 +80,7 @@ class Bender:
         model.contact.rigid = [model.sheave.surface(turned)]
         model.move(self.travel + step, self.pretension)
         first = system.expand(system.free_values(self._predict(step)))
-        options = replace(self._options, stabilisation=HELD * model.internal_energy(first))
-        return model.incrementer.solve(self.state.q, first, options)
+        return model.incrementer.solve(self.state.q, first, self._options)
 
     def _predict(self, step: float) -> Floats:
         """At the rate of the last increment, which ropes that bend on keep."""
