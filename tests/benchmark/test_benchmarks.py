@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from crossing_yarns import FRICTION, run
 from newton_step import load_model, step_costs
 from scaling import exponent, measure, run_series, scene_of, table
 
@@ -36,3 +37,11 @@ def test_smallest_series(tmp_path):
     costs = step_costs(*load_model(folder), repeats=1)
     assert all(seconds >= 0 for seconds in costs.values())
     assert {"contact update", "linear solve"} <= set(costs)
+
+
+def test_smallest_crossing():
+    """Slid far enough that friction is spent, little enough that the shape of the facets does not tell."""
+    outcome = run(8, press=0.3, slide=0.05, increments=(2, 2))
+    assert outcome.pressed > 5.0 and outcome.normal == pytest.approx(outcome.pressed, rel=0.05)
+    assert outcome.tangential == pytest.approx(FRICTION * outcome.normal, rel=0.03)
+    assert outcome.iterations >= outcome.updates > 0

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from mpi4py import MPI
 
-from braidx.bodies import CableBody
+from braidx.bodies import CableBody, SolidBody, YarnMaterial
+from braidx.meshing import rectangle, sweep
 from braidx.solver.newton import Newton, NewtonOptions
 from braidx.system.constraints import Constraints
 from braidx.system.global_system import GlobalSystem
@@ -87,3 +88,21 @@ def test_any_option_of_petsc_is_handed_through_and_does_not_stay():
         assert result.converged
         solves.append(result.linear_solves / result.iterations)
     assert solves[0] > 1 and solves[1] == 1
+
+
+def test_equilibrium_without_stress():
+    """A bar moved as a whole: forces are round-off, and small against the least that counts alone."""
+    line = np.linspace([0.0, 0, 0], [0, 0, 4.0], 5)
+    mesh = sweep(line, rectangle(1.0, 1.0))
+    body = SolidBody(MPI.COMM_SELF, mesh, material=YarnMaterial.isotropic(100.0, 0.3))
+    ends = 3 * mesh.sweeps[0].layers[[0, -1]].reshape(-1, 1) + np.arange(3)
+    constraints, values = Constraints(body.num_unknowns), np.zeros(body.num_unknowns)
+    constraints.hold(ends.ravel())
+    values[ends] = body.rest.ravel()[ends] + [0.1, 0.0, 0.0]
+    system = GlobalSystem(MPI.COMM_SELF, [BodyTerm(body, 0)], constraints.resolve(), values)
+    system.update_pattern()
+    free = np.zeros(body.num_unknowns, dtype=bool)
+    newton = Newton(system, NewtonOptions(least_force=1e-3), free)
+    q, result = newton.solve(body.rest.ravel())
+    assert q.reshape(-1, 3) == pytest.approx(body.rest + [0.1, 0.0, 0.0], abs=1e-9)
+    assert result.converged
