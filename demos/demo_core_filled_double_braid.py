@@ -123,7 +123,6 @@ print(f"yarns lie in each other by up to {overlap:.2f} mm")
 # ## The run
 
 
-
 def new_folder():
     chosen = choose_folder(scene, out=None, resume=False)
     create_folder(chosen, scene)
@@ -167,7 +166,7 @@ print(f"largest relative displacement {slid.maximum():.3f} mm")
 for middle, mean, highest in zip(*slid.profile(width=rope.length / 8)):
     print(f"z = {middle:5.1f} mm   mean {mean:.3f} mm, at most {highest:.3f} mm")
 
-# A rope that wraps round the sheave and whose yarns slide without friction would have, at most:
+# The same rope wrapped round the sheave, whose yarns slide without friction, would have at most:
 
 wrapped = bend_radius(scene.sheave.diameter, outer_diameter(scene))
 print(f"closed form {frictionless_slip(braid.helix_radius, angle, wrapped):.3f} mm")
@@ -180,9 +179,14 @@ contacts = bent.contacts
 for kind, name in enumerate(KINDS):
     force = contacts.of(kind).normal_force
     if len(force):
-        print(f"{name:15} {len(force):4} elements, sum {force.sum():7.1f} N, max {force.max():.2f} N")
-force = sheave_force(bent)
-print(f"the rope presses on the sheave with {-force[1]:.2f} N, the ends pull with {2e3 * rows['force (kN)'][-1]:.2f} N")
+        print(
+            f"{name:15} {len(force):4} elements, sum {force.sum():7.1f} N, max {force.max():.2f} N"
+        )
+
+# What the ends pull down the sheave holds up:
+
+pressed, pulled = -sheave_force(bent)[1], 2e3 * rows["force (kN)"][-1]
+print(f"the rope presses on the sheave with {pressed:.2f} N, its ends pull with {pulled:.2f} N")
 
 # ## The section at the crown
 #
