@@ -11,10 +11,8 @@ from ..outcome import NotConverged
 from ..state import State
 from .model import BentRope
 
-# Of the stabilisation that straight ropes get: a rope that bends is held by its stiffness, and goes far in an increment.
+# Of the stabilisation that straight ropes get: a rope that bends is held by its stiffness, and goes far.
 CALM = 1e-3
-    0.01  # of the stabilisation that straight ropes get: a rope that bends is held by its stiffness
-)
 PAIRED = (
     2e-3  # residual that fresh contact elements may leave: places on solids are found by repetition
 )
