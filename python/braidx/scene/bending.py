@@ -20,7 +20,7 @@ class Bend(Step):
         unit="mm",
         above=0.0,
         doc="How far both ends are moved towards the sheave at the end of the step, counted from the straight rope. "
-        "The path there is a smooth step, 6 t^5 - 15 t^4 + 10 t^3.",
+        "Increments follow half a cosine, small at both ends.",
     )
     pretension: float = option(
         0.0, unit="kN", minimum=0.0, doc="Force on the ends along the rope's axis while it is bent."

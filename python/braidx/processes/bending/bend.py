@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -22,8 +23,8 @@ WAY = "travel"  # name of these
 
 
 def smooth_step(t: float) -> float:
-    """From 0 to 1 with no velocity nor acceleration at either end."""
-    return t**3 * (10.0 - 15.0 * t + 6.0 * t**2)
+    """From 0 to 1, slowly at both ends, where contacts close and open."""
+    return 0.5 - 0.5 * math.cos(math.pi * t)
 
 
 def bend(model: BentRope, state: State, step: Bend) -> Iterator[Outcome]:
