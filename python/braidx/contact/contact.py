@@ -98,28 +98,6 @@ class Contact:
         )
         self._lay_out()
 
-    def adopt_overlaps(self, q: Floats) -> None:
-        """Particles that are in the skins of other solids at the unknowns q count as touching there.
-
-        Meshes of round solids that touch have edges and corners in each other; nothing is strained by that.
-        """
-        engine.set_rest_overlaps(
-            self.pairing, *(np.empty(0, t) for t in (np.int32, np.int64, float))
-        )
-        self.update(q)
-        self._q = self.start = q
-        results = self.results(q)
-        of_skins = results["facet"][:, 1] >= 0
-        inside = of_skins & (results["gap"] < 0.0)
-        parts = self.comm.allgather(
-            (results["tubes"][inside, 0], results["station"][inside], -results["gap"][inside])
-        )
-        surface, station, depth = (np.concatenate(column) for column in zip(*parts, strict=True))
-        engine.set_rest_overlaps(
-            self.pairing, surface.astype(np.int32), station.astype(np.int64), depth.astype(float)
-        )
-        self.restore(engine.ContactElements())
-
     def thin_tubes(self, by: Floats) -> None:
         """Makes tubes thinner, shape (num_tubes,), mm."""
         self.layout = replace(self.layout, radius=self.layout.radius - by)

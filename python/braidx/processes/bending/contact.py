@@ -7,6 +7,7 @@ import numpy as np
 from mpi4py import MPI
 
 from ...contact.contact import Contact
+from ...contact.overlaps import adopt_overlaps
 from ...scene import Scene
 from ...system.constraints import Floats
 from ..rope_contact import set_options
@@ -47,7 +48,7 @@ def make_contact(comm: MPI.Comm, scene: Scene, surfaces: Surfaces, start: Floats
     contact.pairing.may_touch = may_touch.ravel().tolist()
     _fit_tubes(contact, start, surfaces)
     if surfaces.skins is not None:
-        contact.adopt_overlaps(start)
+        adopt_overlaps(contact, start)
     return contact
 
 
