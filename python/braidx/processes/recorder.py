@@ -45,7 +45,6 @@ class Recorder:
         self._costs: Mapping[str, PhaseCost] = resumed.costs if resumed else {}
         self._unknowns = self._elements = 0
         self._threads = 1
-        self._internal_energy = 0.0
         if not self.first:
             return
         console = Console()
@@ -76,7 +75,8 @@ class Recorder:
         """One more increment is accepted."""
         state, increment = outcome.state, outcome.increment
         self._elements = max(self._elements, increment.contact_elements)
-        energy = model.internal_energy(state.q)
+        # A rope that is straight again has hardly any energy left: what it had counts.
+        energy = max(model.internal_energy(state.q), state.progress.get("energy", 0.0))
         share = state.stabilisation_work / energy if energy > 0 and not state.forms else 0.0
         name = outcome.snapshot or step.kind
         picture = model.picture(state, name) if self._wanted(outcome) else None

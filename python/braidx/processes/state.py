@@ -18,13 +18,8 @@ from ..system.constraints import Floats, Ints
 FILE = "checkpoint.npz"
 ARRAYS = ("q", "reference", "rest_tension", "previous", "stretches")
 KEPT = (
-    "strain",
-    "share",
-    "tension",
-    "travel",
-    "moved",
-    "pretension",
-    "furthest",
+    *("strain", "share", "tension"),
+    *("travel", "moved", "pretension", "furthest", "cycle_begin", "cycle_work", "energy"),
 )  # by the steps that follow
 CELL = ("cell", "released")  # models of one pitch
 

@@ -92,7 +92,9 @@ class Bender:
         self.travel += step
         self._moved = step
         state = self.state
+        energy = self.model.internal_energy(increment.q)
         progress = {
+            "energy": max(energy, state.progress.get("energy", 0.0)),
             "travel": self.travel,
             "moved": step,
             "pretension": self.pretension,
