@@ -4,7 +4,7 @@ run_tests() {
     local folders=() options=() argument cpp='not run' py code=0
     for argument in "$@"; do
         case $argument in
-        --verification | --stability | --benchmark) folders+=("tests/${argument#--}") ;;
+        --verification | --stability | --benchmark | --studies) folders+=("tests/${argument#--}") ;;
         *) options+=("$argument")
             [ -e "$checkout/${argument%%::*}" ] && [ "${argument#-}" = "$argument" ] && folders+=("") ;;
         esac

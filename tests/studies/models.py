@@ -1,0 +1,28 @@
+"""Study F: the yarns as beams, as solids about the crown and beams beyond, and as solids.
+
+./braidx shell python3 tests/studies/models.py
+"""
+
+from study import QUICK, Case, Statement, Study, main
+
+MODELS = ("beam", "mixed", "solid")
+
+
+def study(quick: bool = False) -> Study:
+    return Study(
+        name="models",
+        title="F: what the yarns are modelled as",
+        quantity="model of the yarns",
+        cases=tuple(Case(m, float(i), (f"yarn.model={m}",)) for i, m in enumerate(MODELS)),
+        statements=(
+            Statement("paper 2, with solids: slightly over 0.7 mm below D/d = 4", 0.7, (1.5, 2.5)),
+        ),
+        base=QUICK if quick else (),
+        chosen="All models are of one yarn: the same moduli, section and nodes along it. Errors are against solids.",
+        named=True,
+        reference="solid",
+    )
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(study))

@@ -1,0 +1,114 @@
+"""A study: cases that differ from the demo in a few values, and what paper 2 says of the result.
+
+The one command of each study is that of its script,
+
+    ./braidx shell python3 tests/studies/diameter_ratio.py [--out DIR] [--quick] [--only LABEL ...] [--set KEY=VALUE ...]
+
+Runs are in DIR/runs, shared by all studies: what has been computed is not computed again, what was interrupted is
+resumed. Table and figure are DIR/NAME.csv, .md and .png. A case that fails is in the table, and the others go on.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+OUT = Path(__file__).resolve().parents[2] / "results" / "studies"
+
+# The smallest braid that bends: four yarns about a thin core, 2 pitches of 17 mm.
+QUICK = (
+    "rope.pitches=2",
+    "braid.strands_per_direction=[2, 2]",
+    "braid.helix_radius=1.6",
+    "braid.undulation=0.6",
+    "core.radius=0.4",
+    "core.model=beam",
+    "sheave.diameter=20",
+    "yarn.radius=0.6",
+    "yarn.axial_stiffness=22.6e3",
+    "yarn.elements_per_pitch=16",
+    "yarn.solid_stretch=10",
+    "yarn.seeds=8",
+    "steps.bend.travel=1",
+    "steps.bend.increments=2",
+    "output.pictures=false",
+)
+
+
+@dataclass(frozen=True)
+class Case:
+    """One rope of a study.
+
+    Attributes:
+        label: Its name in the table.
+        value: Where it stands on the abscissa.
+        overrides: What differs from the demo, KEY=VALUE.
+    """
+
+    label: str
+    value: float
+    overrides: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Statement:
+    """What the paper says, with the level (mm) and the range of the abscissa that it says it of, where there is one."""
+
+    text: str
+    level: float | None = None
+    span: tuple[float, float] = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Study:
+    """All cases of a study.
+
+    Attributes:
+        name: Of its files.
+        title: Heading of table and figure.
+        quantity: What varies, with its unit.
+        cases: In the order of the abscissa.
+        statements: Of paper 2.
+        base: Overrides of all cases, before their own.
+        chosen: What the paper leaves open, and what was chosen.
+        named: Whether cases are named on the abscissa, not numbered.
+        reference: Label of the case that errors are counted from; None where none is more exact than the others.
+    """
+
+    name: str
+    title: str
+    quantity: str
+    cases: tuple[Case, ...]
+    statements: tuple[Statement, ...] = ()
+    base: tuple[str, ...] = ()
+    chosen: str = ""
+    named: bool = False
+    reference: str | None = None
+
+
+def main(make: Callable[[bool], Study], words: Sequence[str] | None = None) -> int:
+    """The command of a study; 1 if a case has failed.
+
+    Args:
+        make: Gives the study, or the quick one.
+        words: Of the command line; those of this process if None.
+    """
+    from study_report import report
+    from study_runs import run_study
+
+    parser = argparse.ArgumentParser(description=make(False).title)
+    parser.add_argument("--out", type=Path, default=OUT, help="results [results/studies]")
+    parser.add_argument("--quick", action="store_true", help="a tiny rope, to try the script")
+    parser.add_argument("--only", nargs="+", metavar="LABEL", help="some of the cases")
+    parser.add_argument("--set", dest="overrides", action="append", default=[], metavar="KEY=VALUE")
+    given = parser.parse_args(words)
+    study = make(given.quick)
+    labels = [case.label for case in study.cases]
+    for label in given.only or ():
+        if label not in labels:
+            parser.error(f"--only {label!r}: no such case; choose from {', '.join(labels)}")
+    outcomes = run_study(study, given.out, given.overrides, given.only)
+    print("\n" + report(study, outcomes, given.out))
+    return 1 if any(outcome.failure for outcome in outcomes) else 0
