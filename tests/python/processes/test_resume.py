@@ -12,9 +12,9 @@ from runs import command, environment
 from braidx.output import history
 
 
-def kill_after(folder, rows):
+def kill_after(folder, rows, **options):
     """Starts a run and kills it as soon as its history has so many rows; the rows it left."""
-    path, words = folder / "history.csv", command(folder)
+    path, words = folder / "history.csv", command(folder, **options)
     with subprocess.Popen(
         words, env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     ) as process:
