@@ -160,6 +160,7 @@ page = figure(6.4, 4.4)
 for model, colour in (("beam", BLUE), ("half", GREY), ("solid", AMBER)):
     errors, times = zip(*(table[model, count][:2] for count in COUNTS))
     ax.loglog(times, 100 * np.array(errors), "o-", color=colour, label=model)
+ax.set_yticks([0.3, 1.0, 3.0], ["0.3", "1", "3"])
 ax.set_xlabel("time (s)")
 ax.set_ylabel("error of the end's displacement (%)")
 ax.set_title("an undulating yarn, bent: 6, 12, 24 and 48 elements along it")

@@ -83,7 +83,7 @@ core = Core(radius=2.0, model="beam", modulus=200.0, poisson=0.3)
 #
 # The sheave is rigid. Its axis is x, and it lies below the middle of the rope. *Form* finds the
 # equilibrium of the braid about its core under a small tension; *bend* clamps both ends and moves
-# them towards the sheave by `travel`, along a smooth step.
+# them towards the sheave by `travel`, in increments that are small at both ends.
 
 scene = Scene(
     rope=RopeRecipe(name="core_filled_double_braid", pitches=2),
@@ -148,7 +148,7 @@ for step, travel, force in zip(rows["step"], rows["travel (mm)"], rows["force (k
 # Two states are kept as snapshots that have the same nodes: the formed rope clamped at its ends, and
 # the bent one. A crossing is where two yarns lie on one radius of the rope. The two material points
 # that faced each other there have parted in the bent rope; their distance across the radius is the
-# relative displacement of paper 2.
+# relative displacement of paper 2. At the crown, where the rope is bent most, it is the mean of four.
 
 
 def kept(name):
