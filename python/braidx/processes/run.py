@@ -17,6 +17,7 @@ from ..scene import Bend, BendCycles, Cycle, Form, Hold, Pull, Scene, Settle, St
 from . import state as checkpoint
 from .bending.bend import bend, bend_cycles, improved, straighten
 from .bending.model import BentRope
+from .bending.solids import check_core
 from .bending.start import BENT, clamped, make_bent_rope
 from .form import form
 from .grouped_ends import check_ends
@@ -57,6 +58,7 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
     comm = MPI.COMM_WORLD
     rope = build_rope(scene)
     check_ends(scene, rope)
+    check_core(scene)
     state = checkpoint.load(folder) if resume else None
     recorder = Recorder(comm, scene, rope, folder, state)
     try:

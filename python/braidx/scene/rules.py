@@ -48,6 +48,9 @@ def _check_bend(scene: Scene, step: Bend, i: int) -> None:
     if scene.sheave is None:
         cure = "a rope is bent over a sheave; add a table [sheave] with its diameter."
         raise SceneError(f"steps[{i}].kind", cure, step.kind)
+    if scene.core is not None and scene.core.model == "rigid":
+        cure = f"a rigid core does not bend, as steps[{i}] would have it; use a solid or a beam."
+        raise SceneError("core.model", cure, scene.core.model)
     if step.travel >= scene.length / 2.0:
         cure = (
             f"the ends cannot come so far, must be below half of the sample's {scene.length:.4g} mm; use a shorter "

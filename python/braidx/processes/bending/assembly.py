@@ -126,8 +126,12 @@ class Assembly:
             return None
         body = solids.core_solid(self._comm, self.scene)
         first = self._add(body, body.rest)
-        sweep = body.mesh.sweeps[0]
-        self.core = Piece(first + 3 * sweep.layers, sweep=sweep)
+        sweep = body.mesh.sweeps.get(0)
+        if sweep is not None:
+            self.core = Piece(first + 3 * sweep.layers, sweep=sweep)
+        else:
+            sections = solids.sections_along(body.mesh, self.scene.length)
+            self.core = Piece(tuple(first + 3 * nodes for nodes in sections))
         return body, first
 
     def _of(self, model: str) -> list[Stretch]:

@@ -37,6 +37,6 @@ def joints(assembly: Assembly) -> tuple[Constraints, Floats]:
     if assembly.core is not None and assembly.core.directors:
         component = np.arange(3, SIZE)
         for section, clamp in zip((0, -1), assembly.clamps, strict=True):
-            node = assembly.core.positions[section, 0]
+            node = assembly.core.positions[section][0]
             constraints.tie(node + component, clamp.first_unknown + component)
     return constraints, values

@@ -18,12 +18,12 @@ class Piece:
 
     Attributes:
         positions: First unknowns of the positions of the nodes in each section, shape (num_sections, n): n = 1 for
-            curves.
+            curves; of a mesh that was not swept one array per section.
         directors: Whether each node has two directors, whose unknowns follow those of its position.
         sweep: Of a solid.
     """
 
-    positions: Ints
+    positions: Ints | tuple[Ints, ...]
     directors: bool = False
     sweep: Sweep | None = None
 
@@ -34,14 +34,18 @@ class Piece:
 
     def centre_line(self, q: Floats) -> Floats:
         """Mean position of each section, shape (num_sections, 3), mm."""
-        weights = np.ones(1) if self.sweep is None else self.sweep.weights
-        nodes = q[self.positions[:, :, None] + np.arange(3)]
-        line: Floats = np.einsum("snc,n->sc", nodes, weights / weights.sum())
-        return line
+        weights = None if self.sweep is None else self.sweep.weights
+        component = np.arange(3)
+        return np.array(
+            [
+                np.average(q[nodes[:, None] + component], axis=0, weights=weights)
+                for nodes in self.positions
+            ]
+        )
 
     def sections(self, q: Floats) -> Floats:
         """Directors of each node of a beam, shape (num_sections, 2, 3)."""
-        return q[self.positions + np.arange(3, 9)].reshape(-1, 2, 3)
+        return q[np.asarray(self.positions) + np.arange(3, 9)].reshape(-1, 2, 3)
 
     def clamp(self, constraints: Constraints, section: int, clamp: Clamp, start: Floats) -> None:
         """Ends the piece in a clamp; sections of beams may turn there.
