@@ -2,7 +2,7 @@
 
 The one command of each study is that of its script,
 
-    ./braidx shell python3 tests/studies/diameter_ratio.py [--out DIR] [--quick] [--only LABEL ...] [--set KEY=VALUE ...]
+    ./braidx shell python3 tests/studies/diameter_ratio.py [--out DIR] [--quick] [--only LABEL ...] [--set KEY=VALUE]...
 
 Runs are in DIR/runs, shared by all studies: what has been computed is not computed again, what was interrupted is
 resumed. Table and figure are DIR/NAME.csv, .md and .png. A case that fails is in the table, and the others go on.

@@ -27,7 +27,7 @@ def after_bending(
     state = checkpoint.load(folder)
     if state is None or state.model != BENT:
         return {}
-    lines = state.reference.reshape(rope.num_yarns, -1, 3)
+    lines = tuple(state.reference.reshape(rope.num_yarns, -1, 3))
     points = turning_points(snapshots, folder / "history.csv")
     crossings = crossings_of(lines, rope.layer[rope.strand], points)
     if crossings is None:

@@ -116,9 +116,9 @@ def write_crossings(crossings: Crossings, path: Path) -> None:
     with part.open("w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(COLUMNS)
-        for a, b, row in zip(points.yarn_a.tolist(), points.yarn_b.tolist(), numbers, strict=True):
+        for a, b, row in zip(points.yarn_a, points.yarn_b, numbers, strict=True):
             cells = [f"{value:.9g}" if np.isfinite(value) else "" for value in row]
-            writer.writerow([a, b, *cells])
+            writer.writerow([int(a), int(b), *cells])
     os.replace(part, path)
 
 

@@ -54,7 +54,9 @@ def _edges(scene: Scene) -> tuple[Floats, Floats]:
     size = scene.yarn.radius / CELLS_PER_RADIUS
     across = math.ceil((radius - inner) / size)
     along = math.ceil(scene.length / (2.0 * size))
-    return np.linspace(inner, radius, across + 1), np.linspace(0.0, scene.length, along + 1)
+    radial: Floats = np.linspace(inner, radius, across + 1, dtype=np.float64)
+    axial: Floats = np.linspace(0.0, scene.length, along + 1, dtype=np.float64)
+    return radial, axial
 
 
 def _material(heat: Heat) -> ThermalMaterial:

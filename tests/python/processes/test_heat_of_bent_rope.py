@@ -22,9 +22,7 @@ HEAT = Heat(frequency=2.0, cycles=1200, conductivity_axial=1e7, conductivity_rad
 def scene(tmp_path):
     path = tmp_path / "tiny.toml"
     path.write_text(TINY, "utf-8")
-    return replace(
-        load_scene(path), heat=HEAT, output=OutputOptions(fields=False, pictures=False)
-    )
+    return replace(load_scene(path), heat=HEAT, output=OutputOptions(fields=False, pictures=False))
 
 
 @pytest.fixture
