@@ -9,18 +9,20 @@ MODELS = ("beam", "mixed", "solid")
 
 
 def study(quick: bool = False) -> Study:
+    # The tiny rope of solids from end to end takes minutes to come to rest between its clamps.
+    models = MODELS[:-1] if quick else MODELS
     return Study(
         name="models",
         title="F: what the yarns are modelled as",
         quantity="model of the yarns",
-        cases=tuple(Case(m, float(i), (f"yarn.model={m}",)) for i, m in enumerate(MODELS)),
+        cases=tuple(Case(m, float(i), (f"yarn.model={m}",)) for i, m in enumerate(models)),
         statements=(
             Statement("paper 2, with solids: slightly over 0.7 mm below D/d = 4", 0.7, (1.5, 2.5)),
         ),
         base=QUICK if quick else (),
-        chosen="All models are of one yarn: the same moduli, section and nodes along it. Errors are against solids.",
+        chosen="All models are of one yarn: the same moduli, section and nodes along it. Errors are against the last.",
         named=True,
-        reference="solid",
+        reference=models[-1],
     )
 
 

@@ -78,6 +78,7 @@ def draw(study: Study, outcomes: Sequence[Outcome], path: Path) -> Path:
         ax = page.add_subplot(grid[row, 1])
         _curve(ax, outcomes, name, BLUE, name)
         ax.set_ylabel(name.replace(" (", "\n("))
+        ax.margins(y=0.15)
         ax.set_ylim(bottom=0.0)
         _abscissa(study, ax, row == len(SIDE) - 1)
     if error:
@@ -99,12 +100,16 @@ def _draw_slip(study: Study, outcomes: Sequence[Outcome], ax: Axes) -> None:
             said.append(statement.text)
             continue
         ax.hlines(statement.level, *statement.span, color=INK, lw=2.0)
-        middle = (sum(statement.span) / 2.0, statement.level)
-        ax.annotate(statement.text, middle, (0, 4), textcoords="offset points", ha="center")
+        # Towards the middle of the chart.
+        cases = [case.value for case in study.cases]
+        left = sum(statement.span) < min(cases) + max(cases)
+        end = (statement.span[0 if left else 1], statement.level)
+        side = "left" if left else "right"
+        ax.annotate(statement.text, end, (0, 4), textcoords="offset points", ha=side)
     ax.set_title("\n".join([study.title, *said]))
     ax.set_ylabel("relative displacement (mm)")
-    ax.set_ylim(bottom=0.0)
     ax.margins(y=0.15)
+    ax.set_ylim(bottom=0.0)
     ax.legend(loc="best")
     _abscissa(study, ax, True)
 
@@ -120,10 +125,12 @@ def _draw_error(
         elif label == study.reference:
             ax.axvline(seconds, color=GREY, lw=0.8, ls=":", label=f"{label}, the reference")
     ax.set_xscale("log")
+    for tick in (ax.xaxis.set_major_formatter, ax.xaxis.set_minor_formatter):
+        tick("{x:g}")
+    ax.margins(x=0.2, y=0.2)
     ax.set_xlabel("seconds")
     ax.set_ylabel("error of the relative\ndisplacement (%)")
     ax.set_ylim(bottom=0.0)
-    ax.margins(x=0.2, y=0.2)
     ax.grid(True)
     ax.legend(loc="best")
 
