@@ -19,6 +19,8 @@ def some_state():
         model="cable",
         reference=rng.standard_normal(12),
         rest_tension=rng.standard_normal(3),
+        previous=rng.standard_normal(12),
+        stretches=np.array([[0, 1, 0, 4], [1, 2, 0, 4]]),
         contacts={"slip": rng.standard_normal((2, 3)), "station": np.array([4, 2**63 - 1])},
         step=2,
         progress={"strain": 1 / 3, "size": 1e-3},
@@ -39,7 +41,7 @@ def test_round_trip(some_state, tmp_path):
     for name, values in some_state.contacts.items():
         np.testing.assert_array_equal(loaded.contacts[name], values)
         assert loaded.contacts[name].dtype == values.dtype
-    plain = {"q": 0, "reference": 0, "rest_tension": 0, "contacts": {}}
+    plain = {**dict.fromkeys(checkpoint.ARRAYS, 0), "contacts": {}}
     assert replace(loaded, **plain) == replace(some_state, **plain)
 
 
