@@ -13,12 +13,13 @@ from mpi4py import MPI
 
 from ..forms.curve import Part, integral, nodal, unit_tangent
 from ..forms.variation import variations
+from .assembled import AssembledBody
 from .assembly import Assembler, compile_form
 from .layout import CurveLayout, FloatArray, IntArray
 from .mesh import ElementField, create_curve_mesh
 
 
-class CurveBody:
+class CurveBody(AssembledBody):
     """Many curves of one model: one mesh, one blocked space, one set of forms.
 
     A subclass creates its coefficients and calls `_set_energy`. All arrays are in canonical
@@ -81,36 +82,6 @@ class CurveBody:
     def num_elements(self) -> int:
         return self.layout.num_elements
 
-    @property
-    def num_unknowns(self) -> int:
-        return self.num_nodes * self.block
-
-    def set_state(self, q: FloatArray) -> None:
-        """Take over the current unknowns, the same on each rank, shape (num_nodes, block)."""
-        self._state.x.array[:] = q[self._nodes].ravel()
-
-    def energy(self) -> float:
-        """Stored energy of the elements of this rank, mJ."""
-        return self._assembler.energy()
-
-    def residual(self) -> FloatArray:
-        """This rank's part of the internal forces, shape (num_unknowns,), N (N mm on directors).
-
-        The storage is reused by the next call.
-        """
-        return self._assembler.residual()
-
-    def tangent_pattern(self) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
-        """Rows and columns of this rank's part of the tangent, fixed for the body's lifetime."""
-        return self._assembler.tangent_pattern()
-
-    def tangent_values(self) -> FloatArray:
-        """This rank's part of the tangent, one value per entry of `tangent_pattern`.
-
-        The storage is reused by the next call.
-        """
-        return self._assembler.tangent_values()
-
     def tension(self, q: FloatArray) -> FloatArray:
         """Mean axial force of each element in state `q`, N, positive when pulled.
 
@@ -134,6 +105,10 @@ class CurveBody:
     def rest_lengths(self) -> FloatArray:
         """Length of each element in the reference configuration, mm, shape (num_elements,)."""
         return self._mean.gather(self._local_lengths(), self.num_elements)
+
+    def curve_lengths(self) -> FloatArray:
+        """Length of each curve in the reference configuration, mm, shape (num_curves,)."""
+        return np.add.reduceat(self.rest_lengths(), self.layout.curve_elements[:-1])
 
     def _local_lengths(self) -> FloatArray:
         lengths = np.zeros_like(self._mean.function.x.array)

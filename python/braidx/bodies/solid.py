@@ -18,6 +18,7 @@ from ..forms.curve import integral
 from ..forms.materials import TransverselyIsotropic
 from ..forms.variation import variations
 from ..meshing.solid_mesh import SolidMesh
+from .assembled import AssembledBody
 from .assembly import Assembler, compile_form
 from .layout import FloatArray, IntArray
 from .mesh import ElementField
@@ -28,7 +29,7 @@ Law = Literal["transversely isotropic", "Saint-Venant-Kirchhoff", "neo-Hooke"]
 LAWS: tuple[str, ...] = ("transversely isotropic", "Saint-Venant-Kirchhoff", "neo-Hooke")
 
 
-class SolidBody:
+class SolidBody(AssembledBody):
     """Hexahedra or tetrahedra that resist every deformation (forms.solid, forms.hyperelastic).
 
     All arrays are in the numbering of `mesh`: nodes by three components, cells.
@@ -99,10 +100,6 @@ class SolidBody:
         """Number of cells."""
         return self.mesh.num_cells
 
-    @property
-    def num_unknowns(self) -> int:
-        return self.num_nodes * self.block
-
     def set_fibre_stress(self, fibre_stress: npt.ArrayLike) -> None:
         """Change the fibre's stress at rest, as in the constructor, without a new compilation."""
         values = np.asarray(fibre_stress, dtype=np.float64)
@@ -116,32 +113,6 @@ class SolidBody:
         if self.law != "transversely isotropic" and np.any(values):
             raise ValueError(f'fibre_stress needs a fibre: law "{self.law}" has none')
         self._prestress.set(np.broadcast_to(values, self.num_elements))
-
-    def set_state(self, q: FloatArray) -> None:
-        """Take over the current positions, the same on each rank, shape (num_nodes, 3), mm."""
-        self._state.x.array[:] = q[self._nodes].ravel()
-
-    def energy(self) -> float:
-        """Stored energy of the cells of this rank, mJ."""
-        return self._assembler.energy()
-
-    def residual(self) -> FloatArray:
-        """This rank's part of the internal forces, shape (num_unknowns,), N.
-
-        The storage is reused by the next call.
-        """
-        return self._assembler.residual()
-
-    def tangent_pattern(self) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
-        """Rows and columns of this rank's part of the tangent, fixed for the body's lifetime."""
-        return self._assembler.tangent_pattern()
-
-    def tangent_values(self) -> FloatArray:
-        """This rank's part of the tangent, one value per entry of `tangent_pattern`.
-
-        The storage is reused by the next call.
-        """
-        return self._assembler.tangent_values()
 
     def cells_of(self, part: int) -> IntArray:
         """Cells of a part, shape (n,); see SolidMesh."""

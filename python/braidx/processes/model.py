@@ -10,7 +10,7 @@ from ..geometry import Rope, one_for_all
 from ..output.snapshot import Snapshot
 from ..scene import Scene
 from ..solver.increment import Incrementer
-from ..solver.newton import Newton, NewtonOptions
+from ..solver.newton import Newton
 from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
 from ..system.proximal import ProximalTerm
@@ -18,6 +18,7 @@ from ..system.terms import BodyTerm, LoadTerm, Term
 from .ends import Ends
 from .grouped_ends import GroupedEnds
 from .measurements import state_results
+from .newton_options import newton_options
 from .rope_contact import elements_beyond, make_contact
 from .rope_picture import rope_picture
 from .state import State
@@ -59,16 +60,7 @@ class RopeModel:
         terms: list[Term] = [BodyTerm(body, 0), self.contact, self.proximal, self.loads]
         terms += [self.tilt] if self.tilt else []
         self.system = GlobalSystem(comm, terms, *held)
-        solver = scene.solver
-        options = NewtonOptions(
-            tolerance=solver.tolerance,
-            max_iterations=solver.max_iterations,
-            max_step=rope.radius.min(),
-            max_turn=solver.director_cap,
-            symmetric=solver.tangent == "symmetric",
-            petsc=solver.petsc,
-        )
-        self.newton = Newton(self.system, options, self.directors)
+        self.newton = Newton(self.system, newton_options(scene), self.directors)
         self.incrementer = Incrementer(self.newton, self.contact, self.proximal)
 
     @property
@@ -93,9 +85,7 @@ class RopeModel:
 
     def set_viscosity(self, positions: float, directors: float = 0.0) -> None:
         """Stabilisation: N/mm per node on positions, N mm per radian on directors, or tangents of cables."""
-        self.proximal.viscosity[:] = np.where(self.directors, directors, positions)
-        if self.proximal.turning:
-            self.proximal.turning.viscosity = directors
+        self.proximal.set_viscosity(self.directors, positions, directors)
 
     @property
     def copies(self) -> int:

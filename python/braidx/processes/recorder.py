@@ -75,8 +75,8 @@ class Recorder:
         """One more increment is accepted."""
         state, increment = outcome.state, outcome.increment
         self._elements = max(self._elements, increment.contact_elements)
-        # A rope that is straight again has hardly any energy left: what it had counts.
-        energy = max(model.internal_energy(state.q), state.progress.get("energy", 0.0))
+        # A rope that is straight again has hardly any energy left: the most that it had counts.
+        energy = state.progress.get("energy") or model.internal_energy(state.q)
         share = state.stabilisation_work / energy if energy > 0 and not state.forms else 0.0
         name = outcome.snapshot or step.kind
         picture = model.picture(state, name) if self._wanted(outcome) else None

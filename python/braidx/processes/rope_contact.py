@@ -38,7 +38,7 @@ def make_contact(
     """
     curves = body.layout.curves
     num_elements = np.diff(body.layout.curve_elements)
-    lengths = np.add.reduceat(body.rest_lengths(), body.layout.curve_elements[:-1])
+    lengths = body.curve_lengths()
     ones = np.ones(len(num_elements), dtype=np.int64)
     layout = TubeLayout(
         first_unknown=curves[:-1] * body.block,

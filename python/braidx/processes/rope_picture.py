@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from mpi4py import MPI
 
+from ..contact.contact import Contact
 from ..output.snapshot import ContactTable, Snapshot, repeated
 from .state import State
 
@@ -40,18 +42,24 @@ def rope_picture(model: RopeModel, state: State, name: str) -> Snapshot:
 
 
 def _contact_table(model: RopeModel, q: np.ndarray) -> ContactTable:
-    parts = model.comm.allgather(model.contact.results(q))
-    whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    whole = gathered_results(model.comm, model.contact, q)
     yarns = whole["tubes"][:, 1] >= 0
     kept = {name: values[yarns] for name, values in whole.items()}
-    return ContactTable(
-        position=kept["position"],
-        normal=kept["normal"],
-        gap=kept["gap"],
-        normal_force=kept["normal_force"],
-        friction_force=-kept["friction_force"],
-        slip=np.linalg.norm(kept["slip"], axis=1),
-        work=kept["work"],
-        yarn_a=kept["tubes"][:, 0].astype(np.int64),
-        yarn_b=kept["tubes"][:, 1].astype(np.int64),
-    )
+    a, b = kept["tubes"].astype(np.int64).T
+    return ContactTable(**contact_columns(kept), yarn_a=a, yarn_b=b)
+
+
+def gathered_results(comm: MPI.Comm, contact: Contact, q: np.ndarray) -> dict[str, np.ndarray]:
+    """Results per contact element of all processes (Contact.results), the same on each."""
+    parts = comm.allgather(contact.results(q))
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+
+def contact_columns(results: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Columns of a table of contacts that do not depend on what touches what."""
+    same = ("position", "normal", "gap", "normal_force", "work")
+    return {
+        **{name: results[name] for name in same},
+        "friction_force": -results["friction_force"],
+        "slip": np.linalg.norm(results["slip"], axis=1),
+    }

@@ -86,13 +86,14 @@ def yarn_material(scene: Scene, axial_stiffness: float | None = None) -> YarnMat
     )
 
 
-def cable_turning(body: CurveBody) -> Turning | None:
-    """Stabilisation of the tangents of cables."""
+def cable_turning(body: CurveBody, first_unknown: int = 0) -> Turning | None:
+    """Stabilisation of the tangents of cables whose unknowns begin at `first_unknown`."""
     if body.block != 3:
         return None
     nodes = np.setdiff1d(np.arange(body.num_nodes - 1), body.layout.curves[1:-1] - 1)
     length = np.repeat(body.rest_lengths() / body.layout.degree, body.layout.degree)
-    return Turning(3 * nodes, 3 * nodes + 3, length)
+    before = first_unknown + 3 * nodes
+    return Turning(before, before + 3, length)
 
 
 def section_tilt(comm: MPI.Comm, scene: Scene, body: CurveBody) -> SectionTilt | None:

@@ -33,6 +33,16 @@ class ProximalTerm:
         self._q: Floats = self.start
         self._mine = np.arange(num_unknowns if rank == 0 else 0)
 
+    def set_viscosity(self, is_director: np.ndarray, positions: float, directors: float) -> None:
+        """N/mm on positions, N mm per radian on directors, or on the tangents of cables.
+
+        Args:
+            is_director: Whether an unknown belongs to a director, shape (num_unknowns,).
+        """
+        self.viscosity[:] = np.where(is_director, directors, positions)
+        if self.turning:
+            self.turning.viscosity = directors
+
     def set_state(self, q: Floats) -> None:
         """See Term."""
         self._q = q

@@ -86,14 +86,14 @@ class Assembly:
         self._frames = rotation_minimising_frames(self._fine)
 
     def _add_cables(self) -> tuple[CableBody, int] | None:
-        mine = self._of("cable")
+        mine = self.of("cable")
         if not mine:
             return None
         body = curves.cables(self._comm, self.scene, [self._line(stretch) for stretch in mine])
         return body, self._add_curves(body, mine)
 
     def _add_beams(self) -> tuple[BeamBody, int] | None:
-        mine, core = self._of("beam"), None
+        mine, core = self.of("beam"), None
         if self.core_is_beam:
             core = curves.core_line(self.scene, len(self.lines[0]) - 1)
         if not mine and core is None:
@@ -107,7 +107,7 @@ class Assembly:
         return body, first
 
     def _add_solids(self) -> tuple[SolidBody, int] | None:
-        mine = self._of("solid")
+        mine = self.of("solid")
         if not mine:
             return None
         layers = self._layers
@@ -134,12 +134,13 @@ class Assembly:
             self.core = Piece(tuple(first + 3 * nodes for nodes in sections))
         return body, first
 
-    def _of(self, model: str) -> list[Stretch]:
+    def of(self, model: str) -> list[Stretch]:
+        """Stretches of a model, in the order of the curves or parts of their body."""
         return [stretch for stretch in self.stretches if stretch.model == model]
 
     def _line(self, stretch: Stretch) -> Line:
         directors = self._frames[stretch.yarn][:: self._layers][stretch.nodes]
-        return Line(self.lines[stretch.yarn][stretch.nodes], directors, self.scene.yarn.radius)
+        return Line(self.lines[stretch.yarn][stretch.nodes], directors)
 
     def _add_curves(self, body: CurveBody, mine: Sequence[Stretch]) -> int:
         first = self._add(body, body.rest)

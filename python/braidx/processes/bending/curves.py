@@ -23,12 +23,10 @@ class Line:
     Attributes:
         points: Nodes of the straight rope, shape (num_nodes, 3), mm.
         directors: Sections of a beam, shape (num_nodes, 2, 3).
-        radius: mm.
     """
 
     points: Floats
     directors: Floats
-    radius: float
 
 
 def cables(comm: MPI.Comm, scene: Scene, lines: Sequence[Line]) -> CableBody:
@@ -55,7 +53,7 @@ def beams(comm: MPI.Comm, scene: Scene, lines: Sequence[Line], core: Line | None
         assert scene.core is not None
         everything.append(core)
         sections.append(core_section(scene.core))
-        materials.append(YarnMaterial.isotropic(scene.core.modulus, scene.core.poisson))
+        materials.append(core_material(scene.core))
         bending.append(1.0)
         torsion.append(1.0)
     return BeamBody(
@@ -67,6 +65,11 @@ def beams(comm: MPI.Comm, scene: Scene, lines: Sequence[Line], core: Line | None
         bundle_factor=bending,
         torsion_factor=torsion,
     )
+
+
+def core_material(core: Core) -> YarnMaterial:
+    """Material of the core, isotropic."""
+    return YarnMaterial.isotropic(core.modulus, core.poisson)
 
 
 def core_section(core: Core) -> BeamSection:
@@ -83,16 +86,14 @@ def shear_stiffness(body: BeamBody, scene: Scene, has_core: bool) -> Floats:
     stiffness = np.full(body.num_nodes, SHARE * yarn.shear_modulus * yarn.section_area)
     if has_core:
         assert core is not None
-        modulus = core.modulus / (2.0 * (1.0 + core.poisson))
-        area = math.pi * (core.radius**2 - core.inner_radius**2)
-        stiffness[body.curves[-2] :] = SHARE * modulus * area
+        shear_modulus = core_material(core).axial_shear_modulus
+        stiffness[body.curves[-2] :] = SHARE * shear_modulus * core_section(core).area
     return stiffness
 
 
 def core_line(scene: Scene, num_elements: int) -> Line:
     """The axis of the straight rope as the line of its core."""
-    assert scene.core is not None
     points = np.zeros((num_elements + 1, 3))
     points[:, 2] = np.linspace(0.0, scene.length, num_elements + 1)
     directors = np.broadcast_to(np.eye(3)[:2], (num_elements + 1, 2, 3)).copy()
-    return Line(points, directors, scene.core.radius)
+    return Line(points, directors)

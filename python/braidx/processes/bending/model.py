@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from mpi4py import MPI
@@ -11,16 +12,17 @@ from ...bodies.tilt import SectionTilt
 from ...output.snapshot import Snapshot
 from ...scene import Scene
 from ...solver.increment import Incrementer
-from ...solver.newton import Newton, NewtonOptions
+from ...solver.newton import Newton
 from ...system.constraints import Floats
 from ...system.global_system import GlobalSystem
 from ...system.proximal import ProximalTerm
 from ...system.terms import BodyTerm, LoadTerm, Term
-from ...system.turning import Turning
+from ..newton_options import newton_options
+from ..state import State
+from ..yarns import cable_turning
 from .assembly import Assembly
 from .clamp import SIZE, ClampTerm
 from .contact import make_contact
-from ..state import State
 from .curves import shear_stiffness
 from .joints import joints
 from .picture import bent_picture
@@ -67,7 +69,8 @@ class BentRope:
         self.surfaces = surfaces_of(self.assembly)
         self.contact = make_contact(comm, scene, self.surfaces, self.start)
         size = len(self.start)
-        self.proximal = ProximalTerm(size, comm.rank, self._turning())
+        cables = self.assembly.cables
+        self.proximal = ProximalTerm(size, comm.rank, cable_turning(*cables) if cables else None)
         self.loads = LoadTerm(size, comm.rank)
         yarn, radius = scene.yarn, scene.yarn.radius
         self.clamp_term = ClampTerm(
@@ -80,15 +83,10 @@ class BentRope:
         constraints, self._values = joints(self.assembly)
         self.system = GlobalSystem(comm, terms, constraints.resolve(), self._values)
         self.directors = self._directors()
-        solver = scene.solver
-        options = NewtonOptions(
-            tolerance=solver.tolerance,
-            max_iterations=solver.max_iterations,
-            max_step=radius,
-            max_turn=solver.director_cap,
-            symmetric=solver.tangent == "symmetric",
+        options = replace(
+            newton_options(scene),
             least_force=LEAST_STRAIN * yarn.axial_stiffness,
-            petsc={**ORDERING, **solver.petsc},
+            petsc={**ORDERING, **scene.solver.petsc},
         )
         self.newton = Newton(self.system, options, self.directors)
         self.incrementer = Incrementer(self.newton, self.contact, self.proximal)
@@ -108,9 +106,7 @@ class BentRope:
 
     def set_viscosity(self, positions: float, directors: float) -> None:
         """Stabilisation: N/mm per node on positions, N mm per radian on directors, or tangents of cables."""
-        self.proximal.viscosity[:] = np.where(self.directors, directors, positions)
-        if self.proximal.turning:
-            self.proximal.turning.viscosity = directors
+        self.proximal.set_viscosity(self.directors, positions, directors)
 
     def internal_energy(self, q: Floats) -> float:
         """Elastic energy of yarns and core of all processes, mJ."""
@@ -148,14 +144,6 @@ class BentRope:
         for clamp in self.assembly.clamps:
             out[clamp.first_unknown + 3 : clamp.first_unknown + SIZE] = True
         return out
-
-    def _turning(self) -> Turning | None:
-        if self.assembly.cables is None:
-            return None
-        body, first = self.assembly.cables
-        nodes = np.setdiff1d(np.arange(body.num_nodes - 1), body.layout.curves[1:-1] - 1)
-        before = first + 3 * nodes
-        return Turning(before, before + 3, body.rest_lengths())
 
     def _tilt(self) -> SectionTilt | None:
         if self.assembly.beams is None:

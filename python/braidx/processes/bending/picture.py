@@ -12,6 +12,7 @@ from ...output.sheave_picture import SheavePicture
 from ...output.skin_picture import SkinPicture
 from ...output.snapshot import Snapshot
 from ...system.constraints import Floats
+from ..rope_picture import contact_columns, gathered_results
 from ..state import State
 from .sheave import AXIS
 from .skins import skin_picture
@@ -52,7 +53,7 @@ def _skins(model: BentRope, q: Floats) -> tuple[SkinPicture, ...]:
     out = []
     if assembly.solids is not None:
         body, first = assembly.solids
-        yarns = [stretch.yarn for stretch in assembly.stretches if stretch.model == "solid"]
+        yarns = [stretch.yarn for stretch in assembly.of("solid")]
         rows = q[first : first + body.num_unknowns].reshape(-1, 3)
         out.append(skin_picture(body, rows, "lateral", yarns))
     if assembly.core_solid is not None:
@@ -64,8 +65,7 @@ def _skins(model: BentRope, q: Floats) -> tuple[SkinPicture, ...]:
 
 
 def _contacts(model: BentRope, q: Floats) -> ContactTable:
-    parts = model.comm.allgather(model.contact.results(q))
-    whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    whole = gathered_results(model.comm, model.contact, q)
     a, b = whole["tubes"].astype(np.int64).T
     yarn = model.surfaces.yarn
     yarn_a = yarn[a]
@@ -77,13 +77,7 @@ def _contacts(model: BentRope, q: Floats) -> ContactTable:
         YARN_YARN,
     )
     return ContactTable(
-        position=whole["position"],
-        normal=whole["normal"],
-        gap=whole["gap"],
-        normal_force=whole["normal_force"],
-        friction_force=-whole["friction_force"],
-        slip=np.linalg.norm(whole["slip"], axis=1),
-        work=whole["work"],
+        **contact_columns(whole),
         yarn_a=yarn_a,
         yarn_b=yarn_b,
         kind=kind,

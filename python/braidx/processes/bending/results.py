@@ -29,17 +29,19 @@ NEAR = 1e-9  # mm
 
 def bent_results(model: BentRope, state: State, picture: Snapshot) -> dict[str, float]:
     """Results of a state worth a picture: of the last one in which the rope is bent as far as it has been."""
-    results = _slip(model, picture) if _is_bent(state) else {}
+    results = {}
     if "cycle_work" in state.progress:
         results["friction_work_per_cycle"] = state.progress["cycle_work"]
-    if _is_bent(state):
-        results |= {
-            "end_force": float(np.abs(model.end_forces(state.q)).mean()),
-            "yarn_sheave_force_max": yarn_sheave_force_max(picture),
-            "core_pressure_max": core_pressure_max(picture),
-        }
-        results |= _shares(model)
-    if _is_bent(state) and picture.skins:
+    if not _is_bent(state):
+        return results
+    results |= {
+        **_slip(model, picture),
+        **_shares(model),
+        "end_force": float(np.abs(model.end_forces(state.q)).mean()),
+        "yarn_sheave_force_max": yarn_sheave_force_max(picture),
+        "core_pressure_max": core_pressure_max(picture),
+    }
+    if picture.skins:
         results["von_mises_max"] = von_mises_max(picture)
     return results
 

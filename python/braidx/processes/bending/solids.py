@@ -7,12 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 from mpi4py import MPI
 
-from ...bodies import YarnMaterial
 from ...bodies.solid import Law, SolidBody
 from ...meshing import SolidMesh, join, read_mesh, round_section, sweep
 from ...scene import Core, Scene, SceneError
 from ...system.constraints import Floats, Ints
 from ..yarns import yarn_material
+from .curves import core_material
 
 LAWS: dict[str, Law] = {
     "st-venant-kirchhoff": "Saint-Venant-Kirchhoff",
@@ -53,8 +53,8 @@ def core_solid(comm: MPI.Comm, scene: Scene) -> SolidBody:
     """The core, free of stress in the straight rope."""
     core = scene.core
     assert core is not None
-    material = YarnMaterial.isotropic(core.modulus, core.poisson)
-    return SolidBody(comm, _core_mesh(scene, core), material=material, law=LAWS[core.law])
+    mesh = _core_mesh(scene, core)
+    return SolidBody(comm, mesh, material=core_material(core), law=LAWS[core.law])
 
 
 def check_core(scene: Scene) -> None:

@@ -37,12 +37,7 @@ def surfaces_of(assembly: Assembly) -> Surfaces:
 
 
 def _tube_yarns(assembly: Assembly) -> Ints:
-    yarns = [
-        stretch.yarn
-        for model in ("cable", "beam")
-        for stretch in assembly.stretches
-        if stretch.model == model
-    ]
+    yarns = [stretch.yarn for model in ("cable", "beam") for stretch in assembly.of(model)]
     return np.array(yarns + [NO_YARN] * assembly.core_is_beam, dtype=np.int64)
 
 
@@ -59,11 +54,10 @@ def _tubes(assembly: Assembly) -> TubeLayout:
         body, first = part
         layout = body.layout
         count = np.diff(layout.curve_elements)
-        length = np.add.reduceat(body.rest_lengths(), layout.curve_elements[:-1])
         columns["first_unknown"].append(first + layout.curves[:-1] * body.block)
         columns["num_elements"].append(count)
         columns["block"].append(np.full(len(count), body.block))
-        columns["element_length"].append(length / count)
+        columns["element_length"].append(body.curve_lengths() / count)
     whole = {
         name: np.concatenate(parts) if parts else np.empty(0, dtype=np.int64)
         for name, parts in columns.items()
@@ -87,8 +81,7 @@ def _skins(assembly: Assembly) -> tuple[SkinLayout | None, Ints]:
     scene = assembly.scene
     if assembly.solids is not None:
         body, first = assembly.solids
-        solid = [stretch for stretch in assembly.stretches if stretch.model == "solid"]
-        for part, stretch in enumerate(solid):
+        for part, stretch in enumerate(assembly.of("solid")):
             facets.append(first + 3 * body.facet_nodes("lateral", part))
             owner.append(stretch.yarn)
             radius.append(scene.yarn.radius)

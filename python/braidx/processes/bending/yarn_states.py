@@ -33,14 +33,12 @@ def axial_stress(assembly: Assembly, q: Floats) -> tuple[Floats, ...]:
         body, first = part
         rows = q[first : first + body.num_unknowns].reshape(-1, body.block)
         stress, cuts = body.axial_stress(rows), body.layout.curve_elements
-        mine = [stretch for stretch in assembly.stretches if stretch.model == model]
-        for curve, stretch in enumerate(mine):
+        for curve, stretch in enumerate(assembly.of(model)):
             out[stretch.yarn][stretch.first : stretch.last] = stress[cuts[curve] : cuts[curve + 1]]
     if assembly.solids is not None:
         solid, first = assembly.solids
         rows = q[first : first + solid.num_unknowns].reshape(-1, 3)
-        mine = [stretch for stretch in assembly.stretches if stretch.model == "solid"]
-        for part_number, stretch in enumerate(mine):
+        for part_number, stretch in enumerate(assembly.of("solid")):
             force = solid.mean_axial_force(rows, part_number)
             elements = force.reshape(stretch.last - stretch.first, -1)
             out[stretch.yarn][stretch.first : stretch.last] = elements.mean(axis=1) / area

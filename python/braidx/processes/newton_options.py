@@ -1,0 +1,19 @@
+"""Newton's method as a scene asks for it."""
+
+from __future__ import annotations
+
+from ..scene import Scene
+from ..solver.newton import NewtonOptions
+
+
+def newton_options(scene: Scene) -> NewtonOptions:
+    """Options of the Newton iteration; no step is longer than a yarn's radius."""
+    solver = scene.solver
+    return NewtonOptions(
+        tolerance=solver.tolerance,
+        max_iterations=solver.max_iterations,
+        max_step=scene.yarn.radius,
+        max_turn=solver.director_cap,
+        symmetric=solver.tangent == "symmetric",
+        petsc=solver.petsc,
+    )
