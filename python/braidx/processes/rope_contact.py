@@ -71,8 +71,9 @@ def make_contact(
 def set_options(contact: Contact, scene: Scene) -> None:
     """Spacing, tolerances and laws of contact, but for friction, from the scene."""
     options, radius, layout = scene.contact, scene.yarn.radius, contact.layout
-    shortest = float((layout.element_length / layout.degree).min())
-    contact.pairing.spacing = options.station_spacing * shortest
+    if len(layout.element_length):  # solids have contact points of their own
+        shortest = float((layout.element_length / layout.degree).min())
+        contact.pairing.spacing = options.station_spacing * shortest
     contact.pairing.search.margin = options.search_distance * radius
     contact.pairing.point_tolerance = options.penetration_tolerance * radius
     contact.laws.regularisation = options.regularisation * radius

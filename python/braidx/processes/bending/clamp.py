@@ -56,20 +56,28 @@ class Clamp:
         constraints.hold(held)
         values[held] = self.start[held - self.first_unknown]
 
-    def carry(self, constraints: Constraints, positions: Ints, section: Floats) -> None:
+    def carry(self, constraints: Constraints, positions: Ints, start: Floats) -> None:
         """Particles that are part of it.
+
+        What is off its plane, as the ends of solid yarns are that run aslant, is so along g3 = g1 x g2. Since g1 stays
+        along x, that is (0, -g2z, g2y): linear, too.
 
         Args:
             constraints: Are added to.
             positions: First unknowns of the particles' positions, shape (n,).
-            section: Their places xi1, xi2 in the section, shape (n, 2), mm.
+            start: All unknowns of the straight rope.
         """
         component = np.arange(3)
-        unknowns = (positions[:, None] + component).ravel()
-        leaders = np.stack([self.vector(which) for which in range(3)], axis=1)  # (3, 3)
-        of = np.broadcast_to(leaders, (len(positions), 3, 3)).reshape(-1, 3)
-        factors = np.column_stack([np.ones(len(positions)), section])
-        constraints.combine_each(unknowns, of, np.repeat(factors, 3, axis=0))
+        unknowns = positions[:, None] + component
+        place = start[unknowns] - np.array([0.0, 0.0, self.height])
+        x, g1, g2 = (self.vector(which) for which in range(3))
+        leaders = np.stack([x, g1, g2, g2[[0, 2, 1]]], axis=1)  # (3, 4)
+        factors = np.empty((len(positions), 3, 4))
+        factors[:, :, 0] = 1.0
+        factors[:, :, 1:3] = place[:, None, :2]
+        factors[:, :, 3] = place[:, 2:] * np.array([0.0, -1.0, 1.0])
+        of = np.broadcast_to(leaders, factors.shape)
+        constraints.combine_each(unknowns.ravel(), of.reshape(-1, 4), factors.reshape(-1, 4))
 
 
 class ClampTerm:

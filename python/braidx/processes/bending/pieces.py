@@ -56,9 +56,7 @@ class Piece:
             clamp: The clamp.
             start: All unknowns of the straight rope.
         """
-        nodes = self.positions[section]
-        across = start[nodes[:, None] + np.arange(2)]
-        clamp.carry(constraints, nodes, across)
+        clamp.carry(constraints, self.positions[section], start)
 
 
 def join(constraints: Constraints, values: Floats, before: Piece, after: Piece) -> None:
