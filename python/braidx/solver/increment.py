@@ -111,6 +111,7 @@ class Incrementer:
         before = self.contact.elements.copy()
         self.contact.start, self.proximal.start = start, guess
         self.contact.forget_pattern()
+        self.newton.forget()
         self.contact.reach = 0.0 if options.in_passing else REACH
         self.contact.scale_stiffness(stiffening)
         if options.penetration is not None:

@@ -11,8 +11,9 @@ from petsc4py import PETSc
 
 from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
+from .lagged import LaggedFactors
 
-
+PREFIX = "braidx_"  # of PETSc's options
 NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
 INDEFINITE = "the tangent is not positive definite"
 LINE_SEARCH = "snes_linesearch_type"
@@ -89,6 +90,7 @@ class Newton:
         self._residual = system.vector.duplicate()
         self._searching: PETSc.SNES | None = None
         self._full: PETSc.SNES | None = None
+        self._lagged = None if _chooses_solver(options.petsc or {}) else LaggedFactors(PREFIX)
         self.indefinite = False
         self.bold = True
         self._enough = self._iterations_left = 0.0
@@ -99,6 +101,16 @@ class Newton:
     def restore_options(self) -> None:
         """Tolerance and number of iterations as the options say."""
         self.tolerance, self.max_iterations = self.options.tolerance, self.options.max_iterations
+
+    @property
+    def _lags(self) -> bool:
+        """Whether factors of earlier tangents are used: not those that tell if a tangent is definite."""
+        return self._lagged is not None and not self.symmetric
+
+    def forget(self) -> None:
+        """The next tangent is factorised: what comes does not depend on what was solved before."""
+        if self._lagged is not None:
+            self._lagged.forget()
 
     def renew(self, indefinite: bool = False) -> None:
         """Sets the solver up for the system's current matrix, which may be told to be indefinite."""
@@ -115,7 +127,7 @@ class Newton:
 
     def _make(self, petsc: Mapping[str, object]) -> PETSc.SNES:
         snes = PETSc.SNES().create(self.system.comm)
-        snes.setOptionsPrefix("braidx_")
+        snes.setOptionsPrefix(PREFIX)
         snes.setFunction(self._function, self._residual)
         snes.setJacobian(self._jacobian, self.system.matrix)
         snes.setConvergenceTest(self._test)
@@ -123,15 +135,23 @@ class Newton:
         snes.setLineSearchPreCheck(self._limit_step)
         ksp = snes.getKSP()
         ksp.setType("preonly")
-        factorisation = ksp.getPC()
-        factorisation.setType("cholesky" if self.symmetric else "lu")
-        definite = self.symmetric and self.system.comm.size == 1 and not self.indefinite
-        factorisation.setFactorSolverType("cholmod" if definite else "mumps")
-        # A failed factorisation is dealt with: CHOLMOD need not tell the user.
-        quiet: dict[str, object] = {"mat_cholmod_print": 0} if definite else {}
-        _set_options({**quiet, **petsc})
+        if self._lags:
+            ksp.setOptionsPrefix(f"{PREFIX}outer_")
+            ksp.getPC().setType("python")
+            ksp.getPC().setPythonContext(self._lagged)
+            _set_options(petsc)
+        else:
+            _set_options({**self._choose_factors(ksp.getPC()), **petsc})
         snes.setFromOptions()
         return snes
+
+    def _choose_factors(self, factors: PETSc.PC) -> dict[str, object]:
+        """Sets factors that are made in every iteration; options that go with them."""
+        factors.setType("cholesky" if self.symmetric else "lu")
+        definite = self.symmetric and self.system.comm.size == 1 and not self.indefinite
+        factors.setFactorSolverType("cholmod" if definite else "mumps")
+        # A failed factorisation is dealt with: CHOLMOD need not tell the user.
+        return {"mat_cholmod_print": 0} if definite else {}
 
     def solve(self, q: Floats, enough: float = 0.0) -> tuple[Floats, NewtonResult]:
         """Equilibrium from the start q (all unknowns), shape (num_unknowns,), mm.
@@ -167,6 +187,7 @@ class Newton:
         assert snes is not None
         self._iterations_left = self.max_iterations - before
         self._least, self._in_vain, self._most_in_vain = np.inf, 0, most_in_vain
+        begun = self._lagged.solves if self._lagged is not None else 0
         try:
             snes.solve(None, self.system.vector)
             reason = _reason_name(snes.getConvergedReason())
@@ -174,10 +195,13 @@ class Newton:
         except PETSc.Error as error:
             reason = INDEFINITE if error.ierr == NOT_FACTORISED else f"PETSc error {error.ierr}"
             converged = False
+        iterations, solves = snes.getIterationNumber(), snes.getLinearSolveIterations()
+        if self._lags and self._lagged is not None:
+            solves = self._lagged.solves - begun
         return NewtonResult(
             converged,
-            before + snes.getIterationNumber(),
-            before + snes.getLinearSolveIterations(),
+            before + iterations,
+            before + solves,
             self._relative(),
             reason,
         )
@@ -230,6 +254,10 @@ class Newton:
         if longest > self.options.max_step:
             values *= self.options.max_step / longest
         return True
+
+
+def _chooses_solver(petsc: Mapping[str, object]) -> bool:
+    return any(key.startswith(("ksp_", "pc_")) for key in petsc)
 
 
 _given: set[str] = set()

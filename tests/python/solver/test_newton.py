@@ -44,7 +44,9 @@ def test_cable_under_a_load(symmetric):
     tension = TENSION + 1e4 * (half / (LENGTH / 2) - 1)
     assert 2 * tension * sag(q) / half == pytest.approx(LOAD, rel=1e-8)
     assert newton.residual(q) == pytest.approx(result.residual, abs=1e-12)
-    assert result.iterations == result.linear_solves <= 6
+    assert result.iterations <= 6
+    if symmetric:
+        assert result.linear_solves == result.iterations
 
 
 def test_held_unknowns_tell_the_reaction():
