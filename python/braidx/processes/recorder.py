@@ -134,10 +134,8 @@ class Recorder:
             files = sorted((self.folder / SNAPSHOTS).glob("*.npz"))
             if self.scene.output.pictures:
                 kept = [snapshot.load(path) for path in files]
-                straight = [picture for picture in kept if picture.sheave is None]
                 rows = self.folder / "history.csv"
-                figures.draw_all(self.folder, straight, rows, self.scene.expected)
-                figures.draw_bending(self.folder, kept[len(straight) :])
+                figures.draw_all(self.folder, kept, rows, self.scene.expected)
             self._results |= after_bending(self.scene, self.rope, self.folder, files)
             self._progress.finish(self._costs)
             contents = self._write_summary(converged, memory)

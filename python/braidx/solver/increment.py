@@ -211,10 +211,12 @@ class Incrementer:
         found, result = self.newton.solve(attempt.q, enough)
         attempt.count(result)
         LOGGER.debug(
-            "update %d: residual %.1e before, %d iterations, %s; sections %s, damping %.2g, %d penalties raised",
+            "update %d: residual %.1e before, %d iterations, %d solves, %s; sections %s, damping %.2g, "
+            "%d penalties raised",
             attempt.updates,
             attempt.residual,
             result.iterations,
+            result.linear_solves,
             result.reason,
             "follow" if attempt.follows else "frozen",
             attempt.damping,

@@ -260,12 +260,14 @@ def _chooses_solver(petsc: Mapping[str, object]) -> bool:
     return any(key.startswith(("ksp_", "pc_")) for key in petsc)
 
 
-_given: set[str] = set()
+_given: dict[str, object] = {}
 
 
 def _set_options(values: Mapping[str, object]) -> None:
     """Replaces the options given to PETSc, whose table is one for all: those of an earlier solver do not stay."""
-    options = PETSc.Options("braidx_")
+    if values == _given:
+        return  # PETSc tells at its end which options nobody asked for since they were set
+    options = PETSc.Options(PREFIX)
     for key in _given:
         options.delValue(key)
     for key, value in values.items():

@@ -14,7 +14,9 @@ SPRINGS = sp.diags([2.1, -1.0, -1.0], [0, 1, -1], (SIZE, SIZE))
 
 def petsc(matrix):
     matrix = sp.csr_matrix(matrix)
-    return PETSc.Mat().createAIJ(matrix.shape, csr=(matrix.indptr, matrix.indices, matrix.data), comm=MPI.COMM_SELF)
+    return PETSc.Mat().createAIJ(
+        matrix.shape, csr=(matrix.indptr, matrix.indices, matrix.data), comm=MPI.COMM_SELF
+    )
 
 
 def solved(factors, matrix):
@@ -38,7 +40,12 @@ def contacts(count):
     matrix = sp.lil_matrix((SIZE, SIZE))
     for _ in range(count):
         i, j = rng.choice(SIZE, 2, replace=False)
-        matrix[[i, i, j, j], [i, j, i, j]] = matrix[[i, i, j, j], [i, j, i, j]].toarray() + [50.0, -50.0, -50.0, 50.0]
+        matrix[[i, i, j, j], [i, j, i, j]] = matrix[[i, i, j, j], [i, j, i, j]].toarray() + [
+            50.0,
+            -50.0,
+            -50.0,
+            50.0,
+        ]
     return SPRINGS + sp.csr_matrix(matrix)
 
 

@@ -12,7 +12,7 @@ from braidx.output.figures.style import formed, loaded, stages
 from braidx.output.snapshot import Snapshot
 from braidx.output.summary import Expected
 
-__all__ = ["draw_all", "draw_bending"]
+__all__ = ["draw_all"]
 
 
 def draw_all(
@@ -26,7 +26,7 @@ def draw_all(
     Args:
         out_dir: Output folder of the run.
         snapshots: States in the order of the run; the formed rope is named "formed", the loaded
-            rope is the last one that has axial stresses.
+            rope is the last straight one that has axial stresses. Those with a sheave are of the rope being bent.
         history_path: history.csv of the run.
         references: Expected value per result name; `rope_axial_stiffness` (kN) is drawn.
     Returns:
@@ -34,6 +34,8 @@ def draw_all(
     """
     folder = out_dir / "figures"
     folder.mkdir(parents=True, exist_ok=True)
+    bent = [picture for picture in snapshots if picture.sheave is not None]
+    snapshots = [picture for picture in snapshots if picture.sheave is None]
     stiffness = (references or {}).get("rope_axial_stiffness")
     jobs: dict[str, Callable[[Path], Path]] = {}
     if snapshots:
@@ -47,6 +49,10 @@ def draw_all(
             jobs["yarn_stress"] = lambda path: rope.draw_stress(last, path)
             jobs["yarn_stress_histogram"] = lambda path: curves.draw_stress_histogram([last], path)
     if history_path.exists():
-        jobs["force_strain"] = lambda path: curves.draw_force_strain(history_path, path, stiffness)
+        if not bent:
+            jobs["force_strain"] = lambda path: curves.draw_force_strain(
+                history_path, path, stiffness
+            )
         jobs["course"] = lambda path: curves.draw_course(history_path, path)
-    return draw_jobs({folder / f"{name}.png": job for name, job in jobs.items()})
+    drawn = draw_jobs({folder / f"{name}.png": job for name, job in jobs.items()})
+    return drawn + draw_bending(out_dir, bent)

@@ -1,7 +1,7 @@
 """No more than a scene needs: which stretches of which yarns ask for more than they are modelled as, and why.
 
-A rope is bent with the cheapest models first. Indicators taken from the bent rope then tell, yarn by yarn, what a
-model leaves out, and only what needs it is upgraded:
+A rope is bent with the cheapest models first (cheapest.py). Indicators taken from the bent rope then tell, yarn by
+yarn, what a model leaves out, and only what needs it is upgraded:
 
 - a cable has no bending: its yarn becomes a beam where the energy of the curvature it took would have been more than a
   share of its energy (BENDING);
@@ -24,10 +24,10 @@ from ...output.contact_table import KINDS
 from ...output.snapshot import Snapshot
 from ...system.constraints import Floats
 from ..yarns import yarn_section
+from .cheapest import BENDING
 from .model import BentRope
 from .stretches import Stretch, with_solid
 
-BENDING = 0.05  # share of bending in the energy of a yarn
 SECTION = 0.05  # largest strain of a section
 PRESSURE = 0.05  # nominal pressure over the transverse modulus
 STRESS = "von_mises_max"  # what only solids have

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from ...scene import Scene
 from ...system.constraints import Floats, Ints
+from .cheapest import cheapest_model
 
 MODELS = ("cable", "beam", "solid")
 
@@ -39,11 +40,12 @@ def stretches_of(scene: Scene, lines: Sequence[Floats]) -> tuple[Stretch, ...]:
         lines: Centre lines of the straight rope, shape (num_nodes, 3) each, mm.
     """
     yarn, middle = scene.yarn, scene.length / 2.0
+    models = [yarn.model_of(number) for number in range(len(lines))]
+    cheapest = cheapest_model(scene) if "auto" in models else ""
     out: list[Stretch] = []
-    for number, line in enumerate(lines):
-        model = yarn.models.get(str(number), yarn.model)
+    for number, (line, model) in enumerate(zip(lines, models, strict=True)):
         is_solid: npt.NDArray[np.bool_] = np.zeros(len(line), dtype=bool)
-        outer = "cable" if model == "auto" else model
+        outer = cheapest if model == "auto" else model
         if model == "mixed":
             assert yarn.solid_stretch is not None  # the scene has been checked
             is_solid = np.abs(line[:, 2] - middle) <= yarn.solid_stretch / 2.0

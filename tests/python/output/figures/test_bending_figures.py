@@ -12,7 +12,7 @@ from bent_example import YARN, bent_rope, tube_skin
 from matplotlib.image import imread
 from PIL import Image
 
-from braidx.output.figures import animation, bent, style
+from braidx.output.figures import animation, bent, draw_all, style
 from braidx.output.figures.bending import draw_bending
 from braidx.output.figures.bent_shapes import Colouring, shapes, stresses
 from braidx.output.figures.cross_section_bent import crown_outlines
@@ -48,7 +48,7 @@ def test_every_figure_is_drawn_and_not_blank(
     tmp_path: Path, solids: bool, groove: float | None
 ) -> None:
     run = [small(share, solids=solids, groove=groove) for share in (0.0, 1.0)]
-    drawn = draw_bending(tmp_path, run)
+    drawn = draw_all(tmp_path, run, tmp_path / "history.csv")
     assert {path.stem for path in drawn} == ALL
     for path in drawn:
         if path.suffix == ".png":

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from braidx.geometry import build_rope
+from braidx.processes.bending.cheapest import foreseen_bending_share
 from braidx.processes.bending.stretches import (
     Stretch,
     as_table,
@@ -47,9 +48,28 @@ def test_yarns_may_have_models_of_their_own():
     assert models == ["beam", "beam", "cable", "beam", "beam", "beam"]
 
 
-def test_auto_starts_from_cables():
-    scene = load_scene(SCENE, ["yarn.model=auto"])
-    assert {s.model for s in stretches_of(scene, build_rope(scene).centre_lines)} == {"cable"}
+@pytest.mark.parametrize(
+    ("pretension", "bundle_factor", "model"),
+    [(0.0, 1e-4, "beam"), (1.0, 1.0, "beam"), (1.0, 1e-4, "cable")],
+)
+def test_auto_starts_from_cables_where_they_are_pulled_more_than_bent(
+    pretension, bundle_factor, model
+):
+    words = [
+        "yarn.model=auto",
+        f"steps.bend.pretension={pretension}",
+        f"yarn.bundle_factor={bundle_factor}",
+    ]
+    scene = load_scene(SCENE, words)
+    assert {s.model for s in stretches_of(scene, build_rope(scene).centre_lines)} == {model}
+
+
+def test_share_of_bending_of_a_yarn_bent_like_the_rope():
+    """rho = 15 + 4.7, six yarns at 30 degrees; E I = E A r^2 / 4."""
+    scene = load_scene(SCENE, ["yarn.model=auto", "steps.bend.pretension=1"])
+    tension = 1000.0 / 6 / np.cos(np.pi / 6)
+    bending, axial = 50e3 * 0.9**2 / 4 / 19.7**2, tension**2 / 50e3
+    assert foreseen_bending_share(scene) == pytest.approx(bending / (bending + axial))
 
 
 def test_tables_of_stretches_can_be_read_again():
