@@ -1,3 +1,10 @@
+# workers: test files that run side by side. Each takes up to 2 GB; more than a few would not make the set quicker.
+workers() {
+    local cores
+    cores=$(nproc)
+    echo $((cores < 4 ? cores : 4))
+}
+
 # ./braidx test: C++ tests through ctest, then Python tests through pytest; fails if either does.
 
 run_tests() {
@@ -11,6 +18,7 @@ run_tests() {
     done
     cd "$checkout"
     if [ ${#folders[@]} = 0 ]; then
+        if (launch "$python" -c 'import xdist') 2>/dev/null; then options+=(--numprocesses "$(workers)" --dist loadfile); fi
         build all
         "${inside[@]}" ctest --test-dir "$build" --output-on-failure --progress && cpp=passed || { code=$? cpp=FAILED; }
         folders=(tests/python tests/verification)
