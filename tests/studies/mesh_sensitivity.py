@@ -9,8 +9,14 @@ affordable.
 from study import QUICK, Case, Study, main
 
 # 2 pitches, 87 mm, of which 40 mm are solid.
-SHORT = ("rope.pitches=2", "yarn.model=mixed", "yarn.solid_stretch=40", "steps.bend.travel=15")
-MESHES = ((8, 36), (12, 36), (16, 36), (12, 48), (16, 48))  # seeds, elements per pitch
+SHORT = (
+    "rope.pitches=2",
+    "yarn.model=mixed",
+    "yarn.solid_stretch=40",
+    "steps.bend.travel=15",
+    "steps.bend.increments=12",
+)
+MESHES = ((8, 36), (12, 36), (8, 54), (12, 54))  # seeds, elements per pitch: 1.4 and 0.9 mm long
 
 
 def study(quick: bool = False) -> Study:
