@@ -28,10 +28,11 @@ NEAR = 1e-9  # mm
 
 
 def bent_results(model: BentRope, state: State, picture: Snapshot) -> dict[str, float]:
-    """Results of a state worth a picture: of the last one in which the rope is bent as far as it has been."""
-    results = {}
-    if "cycle_work" in state.progress:
-        results["friction_work_per_cycle"] = state.progress["cycle_work"]
+    """Results of a state worth a picture: of the last one in which the rope is bent as far as it has been.
+
+    NaN is what the run does not have: the work of a cycle before one is complete, stress in a scene without solids.
+    """
+    results = {"friction_work_per_cycle": state.progress.get("cycle_work", np.nan)}
     if not _is_bent(state):
         return results
     results |= {
@@ -40,9 +41,8 @@ def bent_results(model: BentRope, state: State, picture: Snapshot) -> dict[str, 
         "end_force": float(np.abs(model.end_forces(state.q)).mean()),
         "yarn_sheave_force_max": yarn_sheave_force_max(picture),
         "core_pressure_max": core_pressure_max(picture),
+        "von_mises_max": von_mises_max(picture) if picture.skins else np.nan,
     }
-    if picture.skins:
-        results["von_mises_max"] = von_mises_max(picture)
     return results
 
 
