@@ -1,7 +1,8 @@
 """Linear systems solved by GMRES, with the factors of an earlier tangent for a preconditioner.
 
 Between iterations of an increment few contacts open or close, so that the factors of one tangent serve many: an
-iteration of GMRES costs one solution with the factors, a fraction of what their computation does.
+iteration of GMRES costs one solution with the factors, a fraction of what their computation does. Where many do, as
+when a rope begins to bend, GMRES is not tried again for one system, then for three, for seven.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from petsc4py import PETSc
 
 OFTEN = 20  # iterations of GMRES after which new factors are due
-MOST = 40  # iterations after which they are made at once
+MOST = 25  # iterations after which they are made at once: about what new factors cost
 REDUCTION = 1e-3  # of the residual of the linear system: contacts change more in an iteration of Newton's method
 
 
@@ -27,20 +28,29 @@ class LaggedFactors:
     def __init__(self, prefix: str) -> None:
         self.solves = self.factorisations = 0
         self._prefix, self._stale = prefix, True
+        self._untried = self._failures = (
+            0  # systems left that GMRES is not tried for; how many were the last time
+        )
         self._ksp: PETSc.KSP | None = None
         self._size = 0
 
     def forget(self) -> None:
-        """The next system gets factors of its own."""
+        """The next system gets factors of its own, and nothing is left of what was learnt."""
         self._stale = True
+        self._untried = self._failures = 0
 
     def apply(self, pc: PETSc.PC, right: PETSc.Vec, solution: PETSc.Vec) -> None:
         """Solves with the current matrix; tells the preconditioner where that fails."""
         matrix, _ = pc.getOperators()
         ksp = self._solver(matrix)
         ksp.setOperators(matrix)
-        if not self._stale and self._solve(ksp, right, solution):
-            return
+        if self._untried:
+            self._untried -= 1
+        elif not self._stale:
+            if self._solve(ksp, right, solution):
+                self._failures = 0
+                return
+            self._untried = self._failures = 2 * self._failures + 1
         self._stale = True
         self._solve(ksp, right, solution)
         pc.setFailedReason(ksp.getPC().getFailedReason())

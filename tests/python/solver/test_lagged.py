@@ -65,6 +65,18 @@ def test_many_changes_bring_new_factors_at_once():
     assert residual < 1e-3 and factors.factorisations == 2
 
 
+def test_gmres_is_tried_less_often_where_it_fails():
+    factors = LaggedFactors("test_")
+    solves = []
+    for count in (10, 100, 15, 120, 20, 110, 30, 130):
+        before = factors.solves
+        assert solved(factors, contacts(count))[0] < 1e-3
+        solves.append(factors.solves - before)
+    vain = np.array(solves) > OFTEN
+    assert vain.tolist() == [False, True, False, True, False, False, False, True]
+    assert factors.factorisations == len(solves)
+
+
 def test_what_is_forgotten_is_not_used_again():
     factors = LaggedFactors("test_")
     solved(factors, SPRINGS)
