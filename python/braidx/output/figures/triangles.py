@@ -1,8 +1,8 @@
 """Pictures of closed surfaces: triangles drawn into a depth buffer, with NumPy only.
 
-Where a cutting plane z = const of the view takes away the near side of a closed surface, the first
-thing a ray meets beyond the plane is the far side of the surface seen from inside: there the plane
-runs through the solid, and the cut face is drawn.
+Where a cutting plane z = const of the view takes away the near side of a closed surface, a ray beyond
+the plane leaves the solid once more than it enters it: there the plane runs through the solid, and the
+cut face is drawn. So it does where solids that touch are in each other by a little.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from braidx.output.figures.raycast import View, ranges
 from braidx.output.snapshot import Array
 
 _CHUNK = 2_000_000  # pixels looked at together, roughly
-_FRONT, _BACK = 1, 2
 
 
 @dataclass(frozen=True)
@@ -74,7 +73,8 @@ def rasterise(triangles: Triangles, view: View) -> Fragments:
     depth = np.full(rows * columns, -np.inf)
     nearest = np.full(rows * columns, -1, dtype=np.int64)
     share = np.zeros((rows * columns, 3))
-    kind = np.zeros(rows * columns, dtype=np.int8)
+    front_facing = np.zeros(rows * columns, dtype=bool)
+    inside = _Inside(rows * columns)
     corner = pixels[triangles.corners]  # (m, 3 corners, 3)
     edge_1, edge_2 = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
     double_area = edge_1[:, 0] * edge_2[:, 1] - edge_1[:, 1] * edge_2[:, 0]
@@ -86,6 +86,8 @@ def rasterise(triangles: Triangles, view: View) -> Fragments:
         z = corner[who, 0, 2] + second * edge_1[who, 2] + third * edge_2[who, 2]
         pixel = row * columns + column
         hit = (second >= 0) & (third >= 0) & (second + third <= 1) & (z <= view.cut_depth)
+        if np.isfinite(view.cut_depth):
+            inside.count(pixel[hit], who[hit], z[hit], double_area[who[hit]] < 0)
         hit &= z > depth[pixel]
         who, z, second, third, pixel = who[hit], z[hit], second[hit], third[hit], pixel[hit]
         np.maximum.at(depth, pixel, z)
@@ -93,14 +95,15 @@ def rasterise(triangles: Triangles, view: View) -> Fragments:
         pixel, who = pixel[front], who[front]
         nearest[pixel] = who
         share[pixel] = np.stack([1 - second - third, second, third], axis=1)[front]
-        kind[pixel] = np.where(double_area[who] > 0, _FRONT, _BACK)
-    is_cut = (kind == _BACK) & np.isfinite(view.cut_depth)
+        front_facing[pixel] = double_area[who] > 0
+    is_cut = inside.depth > 0
+    nearest[is_cut] = inside.behind[is_cut]
     depth[is_cut] = view.cut_depth
     normal = np.zeros((rows * columns, 3))
     at = np.flatnonzero(nearest >= 0)
     corner_normals = triangles.normals[triangles.corners[nearest[at]]]
     normal[at] = np.einsum("pk,pkc->pc", share[at], corner_normals) @ view.axes.T
-    normal[at] *= np.where(kind[at] == _BACK, -1.0, 1.0)[:, None]  # seen from inside
+    normal[at] *= np.where(front_facing[at], 1.0, -1.0)[:, None]  # seen from inside
     normal[at] /= np.maximum(np.linalg.norm(normal[at], axis=1, keepdims=True), 1e-12)
     normal[is_cut] = (0.0, 0.0, 1.0)
     shape = (rows, columns)
@@ -110,6 +113,30 @@ def rasterise(triangles: Triangles, view: View) -> Fragments:
         is_cut.reshape(shape)[::-1],
         normal.reshape(*shape, 3)[::-1],
     )
+
+
+class _Inside:
+    """How many closed surfaces the plane is inside of where each pixel's ray meets it.
+
+    Attributes:
+        depth: Their number, shape (num_pixels,).
+        behind: The triangle through which the ray leaves the first of them, shape (num_pixels,).
+    """
+
+    def __init__(self, num_pixels: int) -> None:
+        self.depth = np.zeros(num_pixels, dtype=np.int64)
+        self.behind = np.full(num_pixels, -1, dtype=np.int64)
+        self._nearest = np.full(num_pixels, -np.inf)
+
+    def count(
+        self, pixel: NDArray[np.int64], who: NDArray[np.int64], z: Array, leaves: NDArray[np.bool_]
+    ) -> None:
+        """Takes in what rays meet beyond the plane: pixel, triangle, depth, and whether the ray leaves there."""
+        np.add.at(self.depth, pixel, np.where(leaves, 1, -1))
+        pixel, who, z = pixel[leaves], who[leaves], z[leaves]
+        np.maximum.at(self._nearest, pixel, z)
+        first = z == self._nearest[pixel]
+        self.behind[pixel[first]] = who[first]
 
 
 def _limits(corner: Array, axis: int, size: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

@@ -13,7 +13,7 @@ from braidx.output.figures.seen import see
 from braidx.output.figures.shade import render_parts
 from braidx.output.figures.sheave_shape import sheave_surface
 from braidx.output.figures.swept import swept
-from braidx.output.figures.triangles import Triangles, rasterise
+from braidx.output.figures.triangles import Triangles, joined, rasterise
 
 _X, _Y, _Z = np.eye(3)
 VIEW = View(right=_X, up=_Y, centre=np.zeros(3), width=10.0, height=6.0, pixels_per_mm=20.0)
@@ -97,9 +97,11 @@ def test_the_nearer_part_hides_the_other_and_a_cut_shows_the_bore() -> None:
 
 
 def test_a_cut_body_is_whole_where_another_one_dips_into_it_behind() -> None:
-    thick, thin = tube([-9, 0, 0], [9, 0, 0]), tube([0, -9, -1.4], [0, 9, -1.4], 0.5)
-    seen = see([thick, thin], replace(VIEW, cut_depth=0.0))
-    assert seen.is_cut[45:75, 60:140].all()
+    bodies = [tube([-9, 0, 0], [9, 0, 0]), tube([0, -9, -1.4], [0, 9, -1.4], 0.5)]
+    for parts in (bodies, [joined(bodies)]):
+        seen = see(parts, replace(VIEW, cut_depth=0.0))
+        assert seen.is_cut[45:75, 60:140].all()
+        assert not seen.is_cut[:30].any()
 
 
 def test_through_glass_both_are_seen() -> None:
