@@ -8,9 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from ..scene import Cycle, Hold, Pull
+from .attempt import Attempt
 from .model import RopeModel
 from .outcome import Outcome
-from .puller import Attempt, Puller
+from .puller import Puller
 from .state import State
 
 LANDING = 0.002  # a force is reached when it is missed by less than this fraction

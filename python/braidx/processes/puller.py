@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from ..output.log import LOGGER
 from ..scene import Hold, Settle
 from ..solver.increment import Diverged, Increment, IncrementOptions
 from ..system.constraints import Floats
+from .attempt import Attempt, attempt
 from .grouped_ends import GroupedEnds
 from .model import RopeModel
 from .outcome import NotConverged
@@ -24,17 +24,6 @@ LEAST = 0.01  # share of it that is left where yarns are slack
 BENT = 1e-3  # of a yarn radius: distance from rigid that is left to a group of ends
 TURNS = 8  # repetitions of an increment in which bodies turn on
 GROWN = 1e-9  # what groups of ends are to reach is missed by less than this share
-
-
-@dataclass
-class Attempt:
-    """A solved increment and what all its attempts cost."""
-
-    increment: Increment
-    strain: float
-    cuts: int
-    iterations: int
-    linear_solves: int
 
 
 class Puller:
@@ -60,7 +49,6 @@ class Puller:
         penetration = scene.contact.penetration_tolerance * model.rope.radius.min()
         self._options = IncrementOptions(penetration=penetration)
         self._bent = BENT * model.rope.radius.min()
-        self._max_cuts = scene.solver.max_cuts
 
     def to(self, strain: float, share: float | None = None) -> Attempt:
         """Solves for a strain, or for one on the way there if that increment has to be cut.
@@ -71,29 +59,22 @@ class Puller:
         Raises:
             NotConverged: If the smallest increment fails too.
         """
-        cuts = iterations = solves = 0
         step = strain - self.strain
         growth = 0.0 if share is None else share - self.share
-        while True:
+
+        def solve(fraction: float, cuts: int) -> Increment:
             self._stabilise(cuts)
-            try:
-                increment = self._increment(self.strain + step, self.share + growth)
-            except Diverged as failure:
-                iterations, solves = iterations + failure.iterations, solves + failure.linear_solves
-                cuts += 1
-                LOGGER.warning("increment to strain %.5f cut: %s", self.strain + step, failure)
-                if cuts > self._max_cuts:
-                    raise self._give_up(self.strain + step, failure) from failure
-                step, growth = step / 2, growth / 2
-                continue
-            self._take(increment, self.strain + step, self.share + growth)
-            return Attempt(
-                increment,
-                self.strain,
-                cuts,
-                iterations + increment.iterations,
-                solves + increment.linear_solves,
-            )
+            return self._increment(self.strain + fraction * step, self.share + fraction * growth)
+
+        done = attempt(
+            solve,
+            lambda fraction: f"strain {self.strain + fraction * step:.5f}",
+            self.model.scene.solver.max_cuts,
+            lambda fraction, failure: self._give_up(self.strain + fraction * step, failure),
+        )
+        part = done.fraction
+        self._take(done.increment, self.strain + part * step, self.share + part * growth)
+        return done
 
     def _stabilise(self, cuts: int) -> None:
         """Less at small tensions, which it must not outweigh; fourfold with every cut, since smaller steps alone

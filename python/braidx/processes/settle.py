@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ..scene import Settle
+from .attempt import Attempt
 from .model import RopeModel
 from .outcome import Outcome
 from .pull import outcome
-from .puller import Attempt, Puller
+from .puller import Puller
 from .state import State
 
 SETTLED = 0.05  # settled: the force is missed by less than this fraction (at zero force: yarns

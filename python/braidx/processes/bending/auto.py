@@ -29,7 +29,9 @@ from .model import BentRope
 from .stretches import Stretch, with_solid
 
 SECTION = 0.05  # largest strain of a section
-PRESSURE = 0.05  # nominal pressure over the transverse modulus
+# Nominal pressure over the transverse modulus. At 0.15 beams slide as solids do, to 7 % (docs/bending.md).
+PRESSURE = 0.2
+BESIDE = "yarns beside it are solid"
 STRESS = "von_mises_max"  # what only solids have
 
 
@@ -54,11 +56,15 @@ class Upgrade:
 
 
 def upgrades(model: BentRope, picture: Snapshot) -> list[Upgrade]:
-    """What asks for more than it is modelled as, in the bent rope of a picture; nothing where all is well."""
-    scene, out = model.scene, []
-    pressure, per_pitch = _pressures(picture), scene.yarn.elements_per_pitch
+    """What asks for more than it is modelled as, in the bent rope of a picture; nothing where all is well.
+
+    Where one yarn has to be solid all are, so that facets meet facets: tubes that lie on the facets of soft solids
+    are found at other places with every update of the contact elements.
+    """
+    out: list[Upgrade] = []
+    pressure, needs = _pressures(picture), []
     for stretch in model.assembly.stretches:
-        if scene.yarn.model_of(stretch.yarn) != "auto" or stretch.model == "solid":
+        if model.scene.yarn.model_of(stretch.yarn) != "auto" or stretch.model == "solid":
             continue
         if stretch.model == "cable":
             share = bending_share(model, picture, stretch.yarn)
@@ -66,10 +72,28 @@ def upgrades(model: BentRope, picture: Snapshot) -> list[Upgrade]:
                 why = f"bending has {share:.0%} of the energy (limit {BENDING:.0%})"
                 out.append(Upgrade(stretch.yarn, "beam", stretch.first, stretch.last, why))
             continue
-        needs, why = _solid_nodes(model, picture, stretch, pressure[stretch.yarn])
-        for first, last in _runs(needs, stretch, room=-(-per_pitch // len(model.lines))):
-            out.append(Upgrade(stretch.yarn, "solid", first, last, why))
+        needs.append((stretch, *_solid_nodes(model, picture, stretch, pressure[stretch.yarn])))
+    bands = _bands(model, [(stretch.yarn, own) for stretch, own, _ in needs])
+    for stretch, own, why in needs:
+        height = model.lines[stretch.yarn][:, 2]
+        within = np.any([(height >= low) & (height <= high) for low, high in bands], axis=0)
+        for first, last in _runs(np.broadcast_to(within, height.shape), stretch):
+            reason = why if own[first : last + 1].any() else BESIDE
+            out.append(Upgrade(stretch.yarn, "solid", first, last, reason))
     return out
+
+
+def verdict(model: BentRope, picture: Snapshot) -> str:
+    """The largest indicators of beams beside their limits, for a rope that asks for nothing more."""
+    pressure = max(float(values.max(initial=0.0)) for values in _pressures(picture))
+    strain = 0.0
+    if picture.directors is not None:
+        strain = max(float(section_strain(directors).max()) for directors in picture.directors)
+    over = pressure / model.scene.yarn.transverse_modulus
+    return (
+        f"sections of beams are strained by at most {strain:.1%} (limit {SECTION:.0%}), "
+        f"pressure is at most {over:.1%} of the modulus (limit {PRESSURE:.0%})"
+    )
 
 
 def upgraded(model: BentRope, changes: list[Upgrade]) -> tuple[Stretch, ...]:
@@ -131,13 +155,21 @@ def _solid_nodes(
     return needs, "; ".join(why for which, why in reasons if which.any())
 
 
-def _runs(needs: npt.NDArray[np.bool_], stretch: Stretch, room: int) -> list[tuple[int, int]]:
-    """First and last nodes of what is solid, with room to either side: from one crossing to the next."""
-    grown = np.zeros(len(needs), dtype=bool)
-    for node in np.flatnonzero(needs):
-        grown[max(0, node - room) : node + room + 1] = True
-    grown[: stretch.first] = grown[stretch.last + 1 :] = False
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], grown.astype(int), [0]])))
+def _bands(
+    model: BentRope, needs: list[tuple[int, npt.NDArray[np.bool_]]]
+) -> list[tuple[float, float]]:
+    """Heights in the straight rope that need solids, with room to the next crossing of a yarn to either side, mm."""
+    room = model.scene.rope.pitch / len(model.lines)
+    heights = np.sort(np.concatenate([[], *(model.lines[yarn][own, 2] for yarn, own in needs)]))
+    parts = np.split(heights, np.flatnonzero(np.diff(heights) > 2.0 * room) + 1)
+    return [(float(part[0]) - room, float(part[-1]) + room) for part in parts if len(part)]
+
+
+def _runs(within: npt.NDArray[np.bool_], stretch: Stretch) -> list[tuple[int, int]]:
+    """First and last nodes of what of a stretch is within the bands, two elements at least."""
+    mine = within.copy()
+    mine[: stretch.first] = mine[stretch.last + 1 :] = False
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], mine.astype(int), [0]])))
     return [(int(a), int(b) - 1) for a, b in edges.reshape(-1, 2) if b - a > 2]
 
 

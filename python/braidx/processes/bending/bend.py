@@ -10,10 +10,11 @@ import numpy as np
 
 from ...output.log import LOGGER
 from ...scene import Bend, BendCycles, Straighten
+from ..attempt import Attempt
 from ..outcome import Outcome
 from ..state import State
-from .auto import upgraded, upgrades
-from .bender import Attempt, Bender
+from .auto import upgraded, upgrades, verdict
+from .bender import Bender
 from .model import BentRope
 from .start import with_stretches
 
@@ -39,8 +40,13 @@ def bend(model: BentRope, state: State, step: Bend) -> Iterator[Outcome]:
 
 def improved(model: BentRope, state: State) -> State | None:
     """The rope straight again, with better models where those it was bent with do not suffice; None where they do."""
-    changes = upgrades(model, model.picture(state, "bent"))
+    yarn = model.scene.yarn
+    if "auto" not in (yarn.model_of(number) for number in range(len(model.lines))):
+        return None
+    picture = model.picture(state, "bent")
+    changes = upgrades(model, picture)
     if not changes:
+        LOGGER.info("models suffice: %s", verdict(model, picture))
         return None
     for change in changes:
         LOGGER.info("better model: %s", change)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from ...output.log import LOGGER
 from ...solver.increment import Diverged, Increment, IncrementOptions
 from ...system.constraints import Floats
+from ..attempt import Attempt, attempt
 from ..outcome import NotConverged
 from ..state import State
 from .model import BentRope
@@ -16,16 +16,6 @@ CALM = 1e-3
 PAIRED = (
     2e-3  # residual that fresh contact elements may leave: places on solids are found by repetition
 )
-
-
-@dataclass
-class Attempt:
-    """A solved increment and what all its attempts cost."""
-
-    increment: Increment
-    cuts: int
-    iterations: int
-    linear_solves: int
 
 
 class Bender:
@@ -53,27 +43,20 @@ class Bender:
         Raises:
             NotConverged: If the smallest increment fails too.
         """
-        step, cuts, iterations, solves = travel - self.travel, 0, 0, 0
-        solver = self.model.scene.solver
-        while True:
-            factor = CALM * 4.0**cuts
-            self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
-            try:
-                increment = self._increment(step)
-            except Diverged as failure:
-                iterations, solves = iterations + failure.iterations, solves + failure.linear_solves
-                cuts += 1
-                LOGGER.warning("increment to travel %.3f mm cut: %s", self.travel + step, failure)
-                if cuts > solver.max_cuts:
-                    raise self._give_up(self.travel + step, failure) from failure
-                step /= 2
-                continue
-            self._take(increment, step)
-            iterations, solves = iterations + increment.iterations, solves + increment.linear_solves
-            return Attempt(increment, cuts, iterations, solves)
+        step = travel - self.travel
+        done = attempt(
+            lambda fraction, cuts: self._increment(fraction * step, cuts),
+            lambda fraction: f"travel {self.travel + fraction * step:.3f} mm",
+            self.model.scene.solver.max_cuts,
+            lambda fraction, failure: self._give_up(self.travel + fraction * step, failure),
+        )
+        self._take(done.increment, done.fraction * step)
+        return done
 
-    def _increment(self, step: float) -> Increment:
-        model, system = self.model, self.model.system
+    def _increment(self, step: float, cuts: int) -> Increment:
+        model, system, solver = self.model, self.model.system, self.model.scene.solver
+        factor = CALM * 4.0**cuts
+        model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
         turned = model.sheave.turn(model.scene, step)
         model.contact.rigid = [model.sheave.surface(turned)]
         model.move(self.travel + step, self.pretension)
