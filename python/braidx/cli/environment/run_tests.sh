@@ -18,8 +18,8 @@ run_tests() {
     done
     cd "$checkout"
     if [ ${#folders[@]} = 0 ]; then
-        if (launch "$python" -c 'import xdist') 2>/dev/null; then options+=(--numprocesses "$(workers)" --dist loadfile); fi
         build all
+        if (launch "$python" -c 'import xdist') 2>/dev/null; then options+=(--numprocesses "$(workers)" --dist loadfile); fi
         "${inside[@]}" ctest --test-dir "$build" --output-on-failure --progress && cpp=passed || { code=$? cpp=FAILED; }
         folders=(tests/python tests/verification)
     else
