@@ -134,7 +134,8 @@ summary = run(scene, folder)
 
 print("converged:", summary["converged"])
 for name, result in summary["results"].items():
-    print(f"{name:30} {result['value']:10.4g} {result['unit']}")
+    if result["value"] is not None:  # what the run does not have is None
+        print(f"{name:30} {result['value']:10.4g} {result['unit']}")
 
 # The force that moves the ends, increment by increment, is in `history.csv`.
 

@@ -33,6 +33,7 @@ class NewtonOptions:
         petsc: PETSc options passed through, without leading dash.
         least_force: Force scale that counts at least, N: where nothing is strained yet, nothing but round-off is left
             to measure a residual against.
+        lagged: Whether factors of earlier tangents may serve where the tangent is not symmetric (solver/lagged.py).
     """
 
     tolerance: float = 1e-6
@@ -42,6 +43,7 @@ class NewtonOptions:
     symmetric: bool = True
     petsc: Mapping[str, object] | None = None
     least_force: float = 0.0
+    lagged: bool = False
 
 
 @dataclass(frozen=True)
@@ -90,7 +92,7 @@ class Newton:
         self._residual = system.vector.duplicate()
         self._searching: PETSc.SNES | None = None
         self._full: PETSc.SNES | None = None
-        self._lagged = None if _chooses_solver(options.petsc or {}) else LaggedFactors(PREFIX)
+        self._lagged = LaggedFactors(PREFIX) if _may_lag(options) else None
         self.indefinite = False
         self.bold = True
         self._enough = self._iterations_left = 0.0
@@ -256,8 +258,10 @@ class Newton:
         return True
 
 
-def _chooses_solver(petsc: Mapping[str, object]) -> bool:
-    return any(key.startswith(("ksp_", "pc_")) for key in petsc)
+def _may_lag(options: NewtonOptions) -> bool:
+    """Unless the user chooses a solver."""
+    chosen = any(key.startswith(("ksp_", "pc_")) for key in options.petsc or {})
+    return options.lagged and not chosen
 
 
 _given: dict[str, object] = {}

@@ -87,6 +87,7 @@ class BentRope:
             newton_options(scene),
             least_force=LEAST_STRAIN * yarn.axial_stiffness,
             petsc={**ORDERING, **scene.solver.petsc},
+            lagged=True,
         )
         self.newton = Newton(self.system, options, self.directors)
         self.incrementer = Incrementer(self.newton, self.contact, self.proximal)
