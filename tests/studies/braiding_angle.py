@@ -3,18 +3,12 @@
 ./braidx shell python3 tests/studies/braiding_angle.py
 """
 
-from study import QUICK, Case, Statement, Study, main
+from study import QUICK, Case, Statement, Study, main, yarn_of
 
 # Pitches by angle, so that all ropes are 174 to 176 mm long, and elements per pitch, 1.2 to 1.6 mm along the yarn.
 ROPES = {30: (12, 24), 45: (7, 24), 60: (4, 32)}
 QUICK_ROPES = {45: (3, 16), 60: (2, 16)}
-YARNS = (
-    "braid.strands_per_direction=[4, 4]",
-    "yarn.radius=0.8",
-    "yarn.axial_stiffness=40.2e3",  # 20 GPa, as in the demo
-    "braid.undulation=0.8",
-    "core.radius=2.4",
-)
+YARNS = ("braid.strands_per_direction=[4, 4]", *yarn_of(0.8, 40.2e3))  # 20 GPa, as in the demo
 
 
 def study(quick: bool = False) -> Study:

@@ -37,6 +37,16 @@ QUICK = (
 )
 
 
+def yarn_of(radius: float, axial_stiffness: float, helix_radius: float = 4.0) -> tuple[str, ...]:
+    """Overrides of a yarn (mm, N) on helices of a radius; undulation and core as they follow from it."""
+    return (
+        f"yarn.radius={radius:g}",
+        f"yarn.axial_stiffness={axial_stiffness:.6g}",
+        f"braid.undulation={radius:g}",
+        f"core.radius={helix_radius - 2.0 * radius:g}",
+    )
+
+
 @dataclass(frozen=True)
 class Case:
     """One rope of a study.

@@ -3,16 +3,11 @@
 ./braidx shell python3 tests/studies/yarn_count.py
 """
 
-from study import QUICK, Case, Statement, Study, main
+from study import QUICK, Case, Statement, Study, main, yarn_of
 
 ELEMENTS = {8: 32, 12: 36, 16: 48}  # per pitch: three or more from crossing to crossing
 QUICK_ELEMENTS = {4: 16, 8: 24}
-YARNS = (
-    "yarn.radius=0.7",
-    "yarn.axial_stiffness=30.8e3",  # 20 GPa, as in the demo
-    "braid.undulation=0.7",
-    "core.radius=2.6",
-)
+YARNS = yarn_of(0.7, 30.8e3)  # 20 GPa, as in the demo
 
 
 def study(quick: bool = False) -> Study:

@@ -5,19 +5,9 @@
 
 import math
 
-from study import QUICK, Case, Statement, Study, main
+from study import QUICK, Case, Statement, Study, main, yarn_of
 
 MODULUS = 62.8e3 / math.pi  # MPa, along the yarns of the demo
-
-
-def yarn_of(radius: float, helix_radius: float) -> tuple[str, ...]:
-    """Overrides of a yarn of the demo's material; undulation and core as they follow from it."""
-    return (
-        f"yarn.radius={radius:g}",
-        f"yarn.axial_stiffness={MODULUS * math.pi * radius**2:.6g}",
-        f"braid.undulation={radius:g}",
-        f"core.radius={helix_radius - 2.0 * radius:g}",
-    )
 
 
 def study(quick: bool = False) -> Study:
@@ -26,7 +16,9 @@ def study(quick: bool = False) -> Study:
         name="yarn_radius",
         title="D: radius of the yarns",
         quantity="radius of the yarns (mm)",
-        cases=tuple(Case(f"{r:g}", r, yarn_of(r, helix_radius)) for r in radii),
+        cases=tuple(
+            Case(f"{r:g}", r, yarn_of(r, MODULUS * math.pi * r**2, helix_radius)) for r in radii
+        ),
         statements=(
             Statement("paper 2: hardly any connection with the radius of the yarns"),
             Statement("paper 2: a slight decline with thinner yarns"),

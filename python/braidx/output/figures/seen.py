@@ -34,8 +34,7 @@ def see(parts: Sequence[Tubes | Triangles], view: View) -> Seen:
     depth, is_cut = np.full(shape, -np.inf), np.zeros(shape, dtype=bool)
     colour, normal = np.zeros((*shape, 3)), np.zeros((*shape, 3))
     surfaces = [part for part in parts if isinstance(part, Triangles)]
-    if len(surfaces) > 1 and not np.isfinite(view.cut_depth):
-        # Much faster. A cut needs each on its own: which one a ray is in must not depend on others.
+    if len(surfaces) > 1:  # much faster
         parts = [part for part in parts if isinstance(part, Tubes)] + [joined(surfaces)]
     for part in parts:
         one = _see_tubes(part, view) if isinstance(part, Tubes) else _see_triangles(part, view)

@@ -85,11 +85,9 @@ def upgrades(model: BentRope, picture: Snapshot) -> list[Upgrade]:
 
 def verdict(model: BentRope, picture: Snapshot) -> str:
     """The largest indicators of beams beside their limits, for a rope that asks for nothing more."""
-    pressure = max(float(values.max(initial=0.0)) for values in _pressures(picture))
-    strain = 0.0
-    if picture.directors is not None:
-        strain = max(float(section_strain(directors).max()) for directors in picture.directors)
-    over = pressure / model.scene.yarn.transverse_modulus
+    pressures = enumerate(_pressures(picture))
+    found = [_indicators(model, picture, yarn, pressure) for yarn, pressure in pressures]
+    strain, over = (max(float(values.max(initial=0.0)) for values in part) for part in zip(*found))
     return (
         f"sections of beams are strained by at most {strain:.1%} (limit {SECTION:.0%}), "
         f"pressure is at most {over:.1%} of the modulus (limit {PRESSURE:.0%})"
@@ -135,15 +133,22 @@ def section_strain(directors: Floats) -> Floats:
     return np.asarray(np.abs(0.5 * (np.linalg.eigvalsh(metric) - 1.0)).max(axis=1))
 
 
+def _indicators(
+    model: BentRope, picture: Snapshot, yarn: int, pressure: Floats
+) -> tuple[Floats, Floats]:
+    """Strain of a yarn's sections, and pressure over its modulus, at each of its nodes, -."""
+    strain: Floats = np.zeros(len(pressure))
+    if picture.directors is not None:
+        strain = section_strain(picture.directors[yarn])
+    return strain, np.asarray(pressure / model.scene.yarn.transverse_modulus)
+
+
 def _solid_nodes(
     model: BentRope, picture: Snapshot, stretch: Stretch, pressure: Floats
 ) -> tuple[npt.NDArray[np.bool_], str]:
     """Nodes of a yarn that need solids, and why."""
     scene = model.scene
-    strain: Floats = np.zeros(len(pressure))
-    if picture.directors is not None:
-        strain = section_strain(picture.directors[stretch.yarn])
-    over = pressure / scene.yarn.transverse_modulus
+    strain, over = _indicators(model, picture, stretch.yarn, pressure)
     reasons = [
         (strain > SECTION, f"its section is strained by {strain.max():.1%} (limit {SECTION:.0%})"),
         (over > PRESSURE, f"pressure is {over.max():.1%} of its modulus (limit {PRESSURE:.0%})"),

@@ -88,9 +88,8 @@ def test_a_clamp_moves_what_ends_in_it_like_a_rigid_body(name):
         [[1, 0, 0], [0, np.cos(angle), -np.sin(angle)], [0, np.sin(angle), np.cos(angle)]]
     )
     for piece in (pieces[0] for pieces in model.assembly.yarns()):
-        unknowns = piece.positions[0][:, None] + np.arange(
-            3
-        )  # of solids that end aslant, off the clamp's plane
+        # Those of solids, which end aslant, are off the clamp's plane.
+        unknowns = piece.positions[0][:, None] + np.arange(3)
         rigid = model.start[unknowns] @ turn.T + [0, 0, 2.0]
         assert q[unknowns] == pytest.approx(rigid, abs=1e-12)
     assert q[first.axial] == pytest.approx(2.0)
