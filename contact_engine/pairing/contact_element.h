@@ -29,7 +29,7 @@ struct ContactElement {
     Vec3 wall = Vec3::Zero(); ///< particle of a rigid surface b now, mm
     Vec3 wall_start = Vec3::Zero(); ///< and when the increment started
     double allowance = 0; ///< added to the gap: sections of a crossing that do not face each other,
-                          ///< overlaps at rest, mm
+                          ///< overlaps at rest, smooth surfaces above facets, mm
     std::int32_t zone = -1; ///< number of the proximity zone
     std::int32_t crossing =
         -1; ///< crossing whose stacking order gives the normal, -1: geometry does

@@ -1,6 +1,7 @@
 #include "skin_builder.h"
 
 #include "../parallel.h"
+#include "../search/near_stretches.h"
 #include "rules.h"
 
 #include <algorithm>
@@ -55,6 +56,15 @@ double share_of(double area_a, double area_b) {
     return area_b * area_b / (area_a * area_a + area_b * area_b);
 }
 
+/// Whether contact points are so dense that a round tube between two of them is seen: nearer to
+/// each other than this share of its radius.
+bool sees_roundness(const Skin& skin, const Tube& tube) {
+    constexpr double share = 0.4;
+    const double area = std::accumulate(skin.area.begin(), skin.area.end(), 0.0);
+    return area <
+           share * share * tube.radius * tube.radius * static_cast<double>(skin.num_points());
+}
+
 bool overlap(const Box& a, const Box& b, double apart) {
     return ((a.low - b.high).array() <= apart).all() && ((b.low - a.high).array() <= apart).all();
 }
@@ -101,7 +111,8 @@ void SkinBuilder::add_points(std::int32_t a, std::int32_t b, ContactElements& ou
                        .facet_b = place->at.facet,
                        .xi_a = {point.at.u, point.at.v},
                        .xi_b = {place->at.u, place->at.v},
-                       .allowance = rest_overlap(a, k)});
+                       .allowance = rest_overlap(a, k) - place->rise +
+                                    point.rise * point.normal.dot(place->normal)});
     }
 }
 
@@ -121,7 +132,13 @@ ContactElements SkinBuilder::skins(std::int32_t a, std::int32_t b) const {
     return builder_.finished(std::move(out));
 }
 
-ContactElements SkinBuilder::tube(std::int32_t a, std::int32_t skin_b) const {
+ContactElements SkinBuilder::tube_and_skin(std::int32_t tube, std::int32_t skin) const {
+    return sees_roundness(current(skin).skin(), surfaces_.tube(tube))
+               ? points_on_tube(skin, tube)
+               : stations_on_skin(tube, skin);
+}
+
+ContactElements SkinBuilder::stations_on_skin(std::int32_t a, std::int32_t skin_b) const {
     const Tube& tube = surfaces_.tube(a);
     const auto& onto = current(skin_b);
     const double reach = tube.radius + options_.search.margin;
@@ -144,17 +161,53 @@ ContactElements SkinBuilder::tube(std::int32_t a, std::int32_t skin_b) const {
         if (!place)
             continue;
         const bool use_way = place->height() > too_near * tube.radius;
+        const Vec3 normal = use_way ? Vec3(-place->offset.normalized()) : Vec3(-place->normal);
         out.push_back({.surface_a = a,
                        .surface_b = skin_b,
                        .s_a = s,
                        .s_b = 0,
                        .station = k,
-                       .normal = use_way ? Vec3(-place->offset.normalized()) : Vec3(-place->normal),
+                       .normal = normal,
                        .weight = spacing,
                        .stiffness = 0,
                        .facet_b = place->at.facet,
                        .xi_b = {place->at.u, place->at.v},
-                       .allowance = rest_overlap(a, k)});
+                       .allowance = rest_overlap(a, k) + place->rise * normal.dot(place->normal)});
+    }
+    return builder_.finished(std::move(out));
+}
+
+ContactElements SkinBuilder::points_on_tube(std::int32_t skin_a, std::int32_t b) const {
+    const auto& from = current(skin_a);
+    const Tube& tube = surfaces_.tube(b);
+    const double reach = tube.radius + options_.search.margin;
+    const NearStretches near(tube, q_, from.box(), reach);
+    ContactElements out;
+    if (near.empty())
+        return out;
+    for (std::int64_t k = 0; k < from.skin().num_points(); ++k) {
+        const auto point = from.point(k);
+        const auto s = near.nearest_section(point.position);
+        if (!s)
+            continue;
+        const Vec3 inward = position(tube, q_, *s) - point.position;
+        const double distance = inward.norm();
+        if (distance > reach || point.normal.dot(inward) <= -facing * distance)
+            continue;
+        const Vec3 normal =
+            distance > too_near * tube.radius ? Vec3(inward / distance) : point.normal;
+        out.push_back(
+            {.surface_a = skin_a,
+             .surface_b = b,
+             .s_a = 0,
+             .s_b = *s,
+             .station = k,
+             .normal = normal,
+             .weight = from.skin().area[static_cast<std::size_t>(k)],
+             .stiffness = 0,
+             .facet_a = point.at.facet,
+             .xi_a = {point.at.u, point.at.v},
+             .allowance = rest_overlap(skin_a, k) - point.rise * point.normal.dot(normal)});
     }
     return builder_.finished(std::move(out));
 }
@@ -181,7 +234,8 @@ ContactElements SkinBuilder::wall(std::int32_t skin_a, const Rigid& rigid,
                        .facet_a = point.at.facet,
                        .xi_a = {point.at.u, point.at.v},
                        .wall = wall.position,
-                       .wall_start = rigid.at_start(wall.position)});
+                       .wall_start = rigid.at_start(wall.position),
+                       .allowance = point.rise * point.normal.dot(wall.normal)});
     }
     return builder_.finished(std::move(out));
 }
@@ -208,7 +262,7 @@ std::vector<ContactElements> skin_parts(const Surfaces& surfaces, Unknowns q,
         const auto [a, b] = pairs[i];
         if (b < 0)
             return skins.wall(a, surfaces.rigid[static_cast<std::size_t>(-1 - b)], -1 - b);
-        return all.is_skin(a) ? skins.skins(a, b) : skins.tube(a, b);
+        return all.is_skin(a) ? skins.skins(a, b) : skins.tube_and_skin(a, b);
     });
 }
 

@@ -13,9 +13,10 @@ constexpr double bulge = 0.34;
 } // namespace
 
 CurrentSkin::CurrentSkin(const Skin& skin, Unknowns q, double reach)
-    : skin_(&skin), q_(q), reach_(reach), nodal_(nodal_normals(skin, q)),
-      box_{Vec3::Constant(std::numeric_limits<double>::infinity()),
-           Vec3::Constant(-std::numeric_limits<double>::infinity())} {
+    : skin_(&skin), q_(q), reach_(reach),
+      nodal_(nodal_normals(skin, q)), box_{Vec3::Constant(std::numeric_limits<double>::infinity()),
+                                           Vec3::Constant(
+                                               -std::numeric_limits<double>::infinity())} {
     double size = 0;
     for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet) {
         boxes_.push_back(box_of(facet));
@@ -31,7 +32,8 @@ CurrentSkin::Point CurrentSkin::point(std::int64_t number) const {
     const auto at = contact_point(*skin_, number);
     const auto weights = facet_weights(skin_->kind, at.u, at.v);
     return {at, combined(*skin_, q_, at.facet, weights.value),
-            smooth_normal(*skin_, nodal_, at.facet, weights)};
+            smooth_normal(*skin_, nodal_, at.facet, weights),
+            rise(*skin_, q_, nodal_, at.facet, weights)};
 }
 
 CurrentSkin::Cell CurrentSkin::cell_of(const Vec3& x) const {
@@ -70,7 +72,8 @@ SkinPlace CurrentSkin::place(std::int32_t facet, const Vec3& x) const {
     const auto at = closest_on_facet(*skin_, q_, facet, x);
     const auto weights = facet_weights(skin_->kind, at.u, at.v);
     const Vec3 position = combined(*skin_, q_, facet, weights.value);
-    return {at, position, smooth_normal(*skin_, nodal_, facet, weights), x - position};
+    return {at, position, smooth_normal(*skin_, nodal_, facet, weights), x - position,
+            rise(*skin_, q_, nodal_, facet, weights)};
 }
 
 } // namespace braidx

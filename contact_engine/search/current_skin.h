@@ -14,7 +14,8 @@ struct SkinPlace {
     Vec3 position;
     Vec3 normal;                                         ///< smooth, out of the solid
     Vec3 offset;                                         ///< x - position
-    double height() const { return offset.dot(normal); } ///< negative: x is inside
+    double rise;                                         ///< of the surface above the facet, mm
+    double height() const { return offset.dot(normal); } ///< above the facet; negative: inside
 };
 
 /// Box with sides along the axes.
@@ -31,10 +32,11 @@ class CurrentSkin {
 public:
     CurrentSkin(const Skin& skin, Unknowns q, double reach);
 
-    /// A contact point of the skin, and its smooth normal.
+    /// A contact point of the skin, its smooth normal, and how far the surface is above it.
     struct Point {
         FacetPoint at;
         Vec3 position, normal;
+        double rise;
     };
     Point point(std::int64_t number) const;
 

@@ -150,7 +150,7 @@ FacetPoint contact_point(const Skin& skin, std::int64_t number) {
 }
 
 Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
-               int group, Unknowns rest, bool dense) {
+               int group, Unknowns rest, bool dense, double offset) {
     Skin out;
     out.kind = kind;
     out.unknown = std::move(unknown);
@@ -158,6 +158,7 @@ Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, doub
     out.radius = radius;
     out.group = group;
     out.dense = dense;
+    out.offset = offset;
     for (std::int32_t facet = 0; facet < out.num_facets(); ++facet)
         for (const auto& p : out.quadrature()) {
             const auto at = facet_geometry(out, rest, facet, facet_weights(kind, p.u, p.v));
@@ -208,6 +209,23 @@ Vec3 smooth_normal(const Skin& skin, const std::vector<Vec3>& nodal, std::int32_
     for (std::size_t n = 0; n < static_cast<std::size_t>(skin.nodes_per_facet()); ++n)
         out += weights.value[n] * nodal[static_cast<std::size_t>(skin.normal_of[first + n])];
     return out.normalized();
+}
+
+double rise(const Skin& skin, Unknowns q, const std::vector<Vec3>& nodal, std::int32_t facet,
+            const FacetWeights& weights) {
+    if (facet_degree(skin.kind) > 1)
+        return skin.offset;
+    const Vec3 place = combined(skin, q, facet, weights.value);
+    const auto first =
+        static_cast<std::size_t>(facet) * static_cast<std::size_t>(skin.nodes_per_facet());
+    double twice = 0;
+    for (int n = 0; n < skin.nodes_per_facet(); ++n) {
+        const auto i = static_cast<std::size_t>(n);
+        const auto normal = static_cast<std::size_t>(skin.normal_of[first + i]);
+        twice +=
+            weights.value[i] * nodal[normal].dot(vector_at(q, skin.unknown_of(facet, n)) - place);
+    }
+    return skin.offset + twice / 2;
 }
 
 } // namespace braidx

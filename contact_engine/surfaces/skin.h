@@ -19,6 +19,9 @@ struct Skin {
     bool dense = false; ///< more contact points per facet, see facet_quadrature
     /// How deep a particle may be inside before it counts as on the far side, mm.
     double radius = 1;
+    /// How far the surface is outside the nodes, mm. Nodes of a polygon with the area of a circle
+    /// lie outside that circle: negative.
+    double offset = 0;
     std::vector<double> area; ///< rest area that each contact point stands for, mm^2
     /// Nodes of facets that share a normal: those at one place that lie smoothly side by side.
     std::vector<std::int32_t> normal_of;
@@ -58,7 +61,7 @@ FacetPoint contact_point(const Skin& skin, std::int64_t number);
 /// A skin whose contact areas, and sharp edges, are those of the positions `rest`. Facets that meet
 /// at less than 50 degrees are smooth there.
 Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
-               int group, Unknowns rest, bool dense = false);
+               int group, Unknowns rest, bool dense = false, double offset = 0);
 
 /// The facet of a place, and those that a particle may move onto when its coordinates change by up
 /// to `reach`.
@@ -84,5 +87,12 @@ std::vector<Vec3> nodal_normals(const Skin& skin, Unknowns q);
 /// edges.
 Vec3 smooth_normal(const Skin& skin, const std::vector<Vec3>& nodal, std::int32_t facet,
                    const FacetWeights& weights);
+
+/// Height of the surface that a skin stands for above a place on a facet, along its normal, mm:
+/// the skin's offset, and on flat facets the bulge that has the nodes' normals, half of the
+/// weighted sum of (x_i - x) . n_i. It is exact for spheres and cylinders up to the square of the
+/// sag, zero at the nodes, and continuous across smooth edges.
+double rise(const Skin& skin, Unknowns q, const std::vector<Vec3>& nodal, std::int32_t facet,
+            const FacetWeights& weights);
 
 } // namespace braidx

@@ -90,7 +90,7 @@ class Assembly:
             for number, tag in skins.items()
         )
         ones = np.ones(len(facets), dtype=np.int64)
-        return SkinLayout(facets, 0 * ones, -ones, length * ones, dense)
+        return SkinLayout(facets, 0 * ones, -ones, length * ones, dense=dense)
 
     def of(self, body: int, values: Floats | None = None) -> Floats:
         """A body's part of all unknowns (or of `values`), shape (num_nodes, block): a view."""

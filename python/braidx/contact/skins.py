@@ -24,6 +24,8 @@ class SkinLayout:
         group: Skins and tubes of one group, from 0, never touch; -1: no group. Shape (num_skins,).
         radius: How deep a particle may be inside before it counts as on the far side of the solid, about half its
             thickness, mm, shape (num_skins,).
+        offset: How far the surface is outside the nodes, mm, shape (num_skins,) or one for all: negative where nodes lie
+            outside the surface that they stand for, as those of a polygon with the area of a circle.
         dense: Whether facets have more contact points: pressure between facets that do not match gets more even.
     """
 
@@ -31,6 +33,7 @@ class SkinLayout:
     body: Ints
     group: Ints
     radius: Floats
+    offset: Floats | float = 0.0
     dense: bool = False
 
 
@@ -72,4 +75,5 @@ def _engine_skin(number: int, layout: SkinLayout, rest: Floats) -> Any:
         int(layout.group[number]),
         rest,
         layout.dense,
+        float(np.broadcast_to(layout.offset, len(layout.facets))[number]),
     )

@@ -34,6 +34,11 @@ class SectionMesh:
     def degree(self) -> int:
         return 1 if self.quads.shape[1] == 4 else 2
 
+    @property
+    def outer_radius(self) -> float:
+        """Distance from the centre line of the farthest nodes, mm."""
+        return float(np.linalg.norm(self.points, axis=1).max())
+
     def moments(self) -> tuple[float, float, float]:
         """Area (mm^2) and the integrals of xi1^2 and xi2^2 (mm^4) of the mesh: of the polygon, not of the circle."""
         shape, measure = self._gauss()

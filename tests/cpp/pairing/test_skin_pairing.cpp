@@ -117,6 +117,35 @@ TEST_CASE("concentric cylinders meet all around", "[skin_pairing]") {
         CHECK(std::abs(gap(rods, e) - 0.05) < 2e-3);
 }
 
+TEST_CASE("coarse facets meet at the distance of the smooth surfaces", "[skin_pairing]") {
+    Rods rods; // facets miss their circles by up to 0.1
+    const Vec3 centre[] = {{0, 0, 0}, {4.05, 0.3, 0}};
+    add_cylinder(rods, FacetKind::square4, {12, 3}, centre[0], 2, 3);
+    add_cylinder(rods, FacetKind::square4, {10, 3}, centre[1], 2, 3);
+    const double angle = 11 * std::numbers::pi / 12; // the middle of a facet
+    const Vec3 beside(2.55 * std::cos(angle), 2.55 * std::sin(angle), 0);
+    rods.add_straight(cable, 6, 0.5, beside, beside + 3 * Vec3::UnitZ());
+    int points = 0, stations = 0;
+    for (const auto& e : pair_up(rods)) {
+        if (e.facet_a < 0) {
+            CHECK(std::abs(gap(rods, e) - 0.05) < 1e-3);
+            ++stations;
+            continue;
+        }
+        const auto of_a = static_cast<std::size_t>(e.surface_a - 1);
+        const Skin& skin = rods.skins[of_a];
+        Vec3 out = combined(skin, rods.q, e.facet_a,
+                            facet_weights(skin.kind, e.xi_a[0], e.xi_a[1]).value) -
+                   centre[of_a];
+        out[2] = 0;
+        const Vec3 smooth = centre[of_a] + 2 * out.normalized() - centre[1 - of_a];
+        const double exact = smooth.head<2>().norm() - 2;
+        CHECK(std::abs(gap(rods, e) - exact) < 0.03 * exact + 1e-3);
+        ++points;
+    }
+    CHECK((points > 20 && stations > 2));
+}
+
 TEST_CASE("a tube on a sheet touches below its centre line", "[skin_pairing]") {
     for (const auto& kind : all_kinds)
         for (const auto facets : all_facets) {
@@ -133,6 +162,27 @@ TEST_CASE("a tube on a sheet touches below its centre line", "[skin_pairing]") {
                 CHECK(std::abs(facing - (kind.block == 9 ? 0.25 : 0)) < 1e-12);
             }
         }
+}
+
+TEST_CASE("points that are dense for a tube meet its sections", "[skin_pairing]") {
+    for (const auto& kind : {smooth_cable, smooth_beam}) {
+        Rods rods;
+        rods.add_straight(kind, 4, 0.5, {0.3, 1, 0.48}, {2.7, 1.1, 0.48});
+        add_rectangle(rods, FacetKind::square4, {12, 8}, {0, 0, 0}, {3, 0, 0}, {0, 2, 0});
+        const auto elements = pair_up(rods); // points are 0.125 mm apart
+        CHECK(elements.size() > 200);
+        for (const auto& e : elements) {
+            CHECK((e.surface_a == 1 && e.surface_b == 0 && e.facet_a >= 0 && e.facet_b == -1));
+            CHECK(e.stiffness == PairingOptions{}.area_stiffness);
+            const Skin& skin = rods.skins[0];
+            const auto weights = facet_weights(skin.kind, e.xi_a[0], e.xi_a[1]);
+            const Vec3 x = combined(skin, rods.q, e.facet_a, weights.value),
+                       way = position(rods.tubes[0], rods.q, e.s_b) - x;
+            CHECK((e.normal - way.normalized()).norm() < 1e-12);
+            CHECK(std::abs(gap(rods, e) - (way.norm() - 0.5)) < 1e-12);
+            CHECK((e.s_b > 0 && e.s_b < 4 && e.normal[2] > 0.2));
+        }
+    }
 }
 
 TEST_CASE("a tube rolls over the edge of a box without a jump of its normal", "[skin_pairing]") {

@@ -98,6 +98,47 @@ TEST_CASE("normals point out of the solid, and are continuous across smooth edge
     }
 }
 
+TEST_CASE("flat facets stand for the smooth surface through their nodes", "[skin]") {
+    const auto height = [](const Skin& skin, Unknowns q, const FacetPoint& at) {
+        return rise(skin, q, nodal_normals(skin, q), at.facet,
+                    facet_weights(skin.kind, at.u, at.v));
+    };
+    for (const auto kind : {FacetKind::triangle3, FacetKind::square4}) {
+        Rods rods;
+        add_cylinder(rods, kind, {12, 3}, {0, 0, 0}, 2, 3);
+        const Skin& skin = rods.skins[0];
+        const auto nodal = nodal_normals(skin, rods.q);
+        for (std::int64_t k = 0; k < skin.num_points(); ++k) {
+            const auto at = contact_point(skin, k);
+            const Vec3 facet = position_at(skin, rods.q, at),
+                       smooth = facet + height(skin, rods.q, at) * normal_at(skin, nodal, at);
+            const double sag = 2 - facet.head<2>().norm(), missed = smooth.head<2>().norm() - 2;
+            CHECK(sag > 0.02);
+            // Nodes of triangles at the rim have normals of unequal facets.
+            CHECK(std::abs(missed) < (is_triangle(kind) ? 0.15 : 0.03) * sag);
+        }
+        for (int node = 0; node < skin.nodes_per_facet(); ++node) {
+            const auto [u, v] = facet_node(kind, node);
+            CHECK(std::abs(height(skin, rods.q, {5, u, v})) < 1e-15);
+        }
+    }
+}
+
+TEST_CASE("a skin's offset lifts its surface everywhere, plane or of degree 2", "[skin]") {
+    for (const auto kind : all_facets) {
+        Rods rods;
+        add_rectangle(rods, kind, {2, 2}, {0, 0, 0}, {2, 0, 0}, {0, 2, 0});
+        Skin& skin = rods.skins[0];
+        skin.offset = -0.07;
+        for (std::int64_t k = 0; k < skin.num_points(); ++k) {
+            const auto at = contact_point(skin, k);
+            const auto weights = facet_weights(kind, at.u, at.v);
+            const auto nodal = nodal_normals(skin, rods.q);
+            CHECK(std::abs(rise(skin, rods.q, nodal, at.facet, weights) + 0.07) < 1e-15);
+        }
+    }
+}
+
 TEST_CASE("sharp edges have a normal per side", "[skin]") {
     for (const auto kind : all_facets) {
         Rods rods;

@@ -65,7 +65,7 @@ def sheet(
 def skins_of(facets: list[Array], radius: float = 0.5, dense: bool = False) -> SkinLayout:
     count = len(facets)
     body = np.arange(count)
-    return SkinLayout(tuple(facets), body, np.full(count, -1), np.full(count, radius), dense)
+    return SkinLayout(tuple(facets), body, np.full(count, -1), np.full(count, radius), dense=dense)
 
 
 def contact_of(

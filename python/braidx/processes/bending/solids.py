@@ -8,8 +8,8 @@ import numpy as np
 from mpi4py import MPI
 
 from ...bodies.solid import Law, SolidBody
-from ...meshing import SolidMesh, join, read_mesh, round_section, sweep
-from ...scene import Core, Scene, SceneError
+from ...meshing import SectionMesh, SolidMesh, join, read_mesh, round_section, sweep
+from ...scene import Core, Scene, SceneError, YarnModel
 from ...system.constraints import Floats, Ints
 from ..yarns import yarn_material
 from .curves import core_material
@@ -38,15 +38,23 @@ def yarn_solids(
         lines: Centre of each layer of nodes, shape (num_layers, 3) each, mm.
         directors: Sections, shape (num_layers, 2, 3) each.
     """
-    yarn = scene.yarn
-    # As stiff as the round section: axial force and bending come from its area.
-    section = round_section(yarn.radius, yarn.seeds, degree=yarn.solid_degree, equal_area=True)
+    section = _yarn_section(scene.yarn)
     try:
         meshes = [sweep(line, section, g) for line, g in zip(lines, directors, strict=True)]
     except ValueError as error:
         cure = f"{error}; or use beams, a smaller yarn.radius or a braid.angle nearer to 90."
         raise SceneError("yarn.model", cure, yarn.model) from None
     return SolidBody(comm, join(meshes), material=yarn_material(scene))
+
+
+def yarn_offset(yarn: YarnModel) -> float:
+    """How far the surface of a yarn is outside the nodes of its section, mm (negative), see SkinLayout."""
+    return float(yarn.radius - _yarn_section(yarn).outer_radius)
+
+
+def core_offset(core: Core) -> float:
+    """Likewise of the core; nodes of a mesh of its own are on its surface."""
+    return 0.0 if core.mesh else float(core.radius - _core_section(core).outer_radius)
 
 
 def core_solid(comm: MPI.Comm, scene: Scene) -> SolidBody:
@@ -102,7 +110,19 @@ def _cylinder(scene: Scene, core: Core) -> SolidMesh:
     num_layers = core.degree * max(1, round(scene.length / length)) + 1
     line = np.zeros((num_layers, 3))
     line[:, 2] = np.linspace(0.0, scene.length, num_layers)
-    section = round_section(
+    directors = np.broadcast_to(np.eye(3)[:2], (num_layers, 2, 3))
+    return sweep(line, _core_section(core), directors)
+
+
+# As stiff as the round sections: axial force and bending come from the area.
+
+
+def _yarn_section(yarn: YarnModel) -> SectionMesh:
+    return round_section(yarn.radius, yarn.seeds, degree=yarn.solid_degree, equal_area=True)
+
+
+def _core_section(core: Core) -> SectionMesh:
+    return round_section(
         core.radius,
         core.seeds,
         template=core.section,
@@ -110,5 +130,3 @@ def _cylinder(scene: Scene, core: Core) -> SolidMesh:
         inner_radius=core.inner_radius,
         equal_area=True,
     )
-    directors = np.broadcast_to(np.eye(3)[:2], (num_layers, 2, 3))
-    return sweep(line, section, directors)
