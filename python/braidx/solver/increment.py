@@ -15,6 +15,7 @@ from .newton import Newton, NewtonResult
 FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
 SLOW = 0.5  # reduction of that residual by an update below which updates are damped
 MOST_DAMPING = 1.0  # more would hide the residual rather than remove it
+CALMING = 0.25  # of the first damping, from one update to the next
 FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
 GROWTH = 10.0  # largest factor on the penalty of a zone that penetrates too deep, at a time
 EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
@@ -89,10 +90,22 @@ class Incrementer:
 
     Far from the equilibrium sections and normals are frozen during Newton's iteration; near it they follow the
     yarns (engine: facing.h), unless that does not converge. Repetitions that do not approach each other are damped.
+
+    Args:
+        newton, contact, proximal: What is solved.
+        first_damping: Of positions in the first repetition of an increment, N/mm per node: it holds what is loose, and
+            would else fly about while contacts are being found. Whatever it is, it does not act on the equilibrium.
     """
 
-    def __init__(self, newton: Newton, contact: Contact, proximal: ProximalTerm) -> None:
+    def __init__(
+        self,
+        newton: Newton,
+        contact: Contact,
+        proximal: ProximalTerm,
+        first_damping: float = 0.0,
+    ) -> None:
         self.newton, self.contact, self.proximal = newton, contact, proximal
+        self.first_damping = first_damping
 
     def solve(
         self, start: Floats, guess: Floats, options: IncrementOptions, stiffening: float = 1.0
@@ -141,7 +154,7 @@ class Incrementer:
         """Makes contact elements anew and looks what residual they leave."""
         if options.in_passing and attempt.updates >= options.max_updates:
             return True
-        last = attempt.residual
+        last = attempt.norm
         self._update(attempt)
         consistent = attempt.updates > 0 and attempt.residual < options.pairing_tolerance
         fresh, attempt.raised = attempt.raised > 0, 0
@@ -150,7 +163,7 @@ class Incrementer:
         if consistent and not attempt.raised:
             return True
         if attempt.updates and not consistent and not fresh:
-            attempt.judge(attempt.residual > SLOW * last)
+            attempt.judge(attempt.norm > SLOW * last)
         if attempt.updates < options.max_updates:
             return False
         why = (
@@ -186,6 +199,8 @@ class Incrementer:
             self.contact.freeze_sections()
             # Where sections that follow would leave the places that were just found for them, these count.
             attempt.residual = self.newton.residual(attempt.q)
+        # Of forces that are not there any more at the next state, residuals relative to the present ones tell nothing.
+        attempt.norm = self.newton.norm
 
     def _raise_penalties(self, attempt: _Attempt, penetration: float) -> None:
         """Makes zones stiffer that penetrate too deep; yarns will hardly move, so that sections may follow."""
@@ -198,9 +213,9 @@ class Incrementer:
         contact, proximal, system = self.contact, self.proximal, self.newton.system
         proximal.anchor = attempt.q
         force = system.term_norms[system.terms.index(contact)] / np.sqrt(max(len(attempt.q) / 3, 1))
-        proximal.damping = np.where(
-            self.newton.directors, 0.0, attempt.damping * force / contact.min_radius
-        )
+        damping = attempt.damping * force / contact.min_radius
+        damping = max(damping, self.first_damping * CALMING**attempt.updates)
+        proximal.damping = np.where(self.newton.directors, 0.0, damping)
         symmetric = contact.symmetric_tangent
         changed = symmetric != self.newton.symmetric
         self.newton.symmetric = symmetric
@@ -240,6 +255,7 @@ class _Attempt:
 
     q: Floats
     residual: float = np.inf
+    norm: float = np.inf
     damping: float = 0.0
     slow: int = 0
     follows: bool = False

@@ -17,7 +17,7 @@ PREFIX = "braidx_"  # of PETSc's options
 NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
 INDEFINITE = "the tangent is not positive definite"
 LINE_SEARCH = "snes_linesearch_type"
-VAIN = 3  # full steps in a row, none of which comes nearer than the best before, after which steps are searched for
+VAIN = 6  # full steps in a row, none of which comes nearer than the best before, after which steps are searched for
 
 
 @dataclass(frozen=True)
@@ -82,6 +82,7 @@ class Newton:
         bold: Whether full steps are tried first.
         indefinite: Whether the solver in use copes with an indefinite tangent, at a higher price.
         tolerance, max_iterations: As in the options, unless loosened for states only passed through.
+        norm: Of the last residual, N.
     """
 
     def __init__(self, system: GlobalSystem, options: NewtonOptions, directors: np.ndarray) -> None:
@@ -97,7 +98,7 @@ class Newton:
         self.bold = True
         self._enough = self._iterations_left = 0.0
         self._least, self._in_vain, self._most_in_vain = np.inf, 0.0, np.inf
-        self._norm = np.inf
+        self.norm = np.inf
         self.restore_options()
 
     def restore_options(self) -> None:
@@ -212,11 +213,11 @@ class Newton:
         """Relative residual at q."""
         self.system.set_state(q)
         self.system.assemble_residual(self._residual)
-        self._norm = self._residual.norm()
+        self.norm = self._residual.norm()
         return self._relative()
 
     def _relative(self) -> float:
-        return self._norm / max(self.system.force_scale, self.options.least_force, 1e-300)
+        return self.norm / max(self.system.force_scale, self.options.least_force, 1e-300)
 
     def _function(self, snes: PETSc.SNES, x: PETSc.Vec, f: PETSc.Vec) -> None:
         self.system.set_state(self.system.expand(self.system.gather(x)))
@@ -229,15 +230,15 @@ class Newton:
         self.system.assemble_tangent()
 
     def _test(self, snes: PETSc.SNES, iteration: int, norms: tuple[float, float, float]) -> int:
-        self._norm = norms[2]
-        if not np.isfinite(self._norm):
+        self.norm = norms[2]
+        if not np.isfinite(self.norm):
             return PETSc.SNES.ConvergedReason.DIVERGED_FNORM_NAN
         if self._relative() < self._enough:
             return PETSc.SNES.ConvergedReason.CONVERGED_FNORM_RELATIVE
         if iteration >= self._iterations_left:
             return PETSc.SNES.ConvergedReason.DIVERGED_MAX_IT
-        self._in_vain = 0 if self._norm < self._least else self._in_vain + 1
-        self._least = min(self._least, self._norm)
+        self._in_vain = 0 if self.norm < self._least else self._in_vain + 1
+        self._least = min(self._least, self.norm)
         if self._in_vain >= self._most_in_vain:
             return PETSc.SNES.ConvergedReason.DIVERGED_LOCAL_MIN
         return PETSc.SNES.ConvergedReason.ITERATING

@@ -1,5 +1,7 @@
 """Solids in contact: sheets of facets, tubes and rigid surfaces, and the border of the engine."""
 
+from dataclasses import replace
+
 import braidx_engine as engine
 import numpy as np
 import pytest
@@ -56,6 +58,25 @@ def test_block_on_a_rigid_plane(kind):
         np.cross(centre, forces.sum(axis=0)), abs=1e-9 * abs(moment).max()
     )
     assert contact.rigid_share(q.ravel()) == pytest.approx(1)
+
+
+def test_surfaces_are_offset_from_their_nodes():
+    """Two sheets that overlap, whose surfaces are below their nodes by more, and the upper one against a plane."""
+    rest, facets = two_sheets(9, 4, depth=0.01)
+    layout = replace(skins_of(facets), offset=np.array([-0.02, -0.03]))
+    contact = Contact(
+        MPI.COMM_SELF, NO_TUBES, smooth=True, symmetric=True, skins=layout, rest=rest.ravel()
+    )
+    contact.rigid = [engine.make_plane(np.zeros(3), np.array([0, 0, 1.0]), 1)]
+    contact.pairing.search.margin = 0.2
+    contact.update(rest.ravel())
+    contact.start = rest.ravel()
+    results = contact.results(rest.ravel())
+    on_plane = results["tubes"][:, 1] < 0
+    assert results["gap"][~on_plane] == pytest.approx(-0.01 + 0.05)
+    upper = on_plane & (results["tubes"][:, 0] == 1)
+    assert results["gap"][upper] == pytest.approx(-0.01 + 0.03)
+    assert upper.any() and not on_plane.all()
 
 
 @pytest.mark.parametrize("kind", KINDS)

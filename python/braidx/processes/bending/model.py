@@ -35,7 +35,7 @@ from .surfaces import surfaces_of
 # METIS orders these matrices as well as any other, in half of the time that MUMPS takes to choose.
 ORDERING = {"mat_mumps_icntl_7": 5}
 
-LEAST_STRAIN = 1e-5  # of one yarn: smaller forces are none, as in the straight rope
+LEAST_STRAIN = 1e-4  # of one yarn: smaller forces are none, as in the straight rope
 
 
 class BentRope:
@@ -90,7 +90,10 @@ class BentRope:
             lagged=True,
         )
         self.newton = Newton(self.system, options, self.directors)
-        self.incrementer = Incrementer(self.newton, self.contact, self.proximal)
+        # Of a yarn that bends over a pitch: without tension nothing else holds it until it touches others.
+        bending = 0.25 * yarn.axial_stiffness * radius**2 * yarn.bundle_factor
+        loose = bending / scene.rope.pitch**3
+        self.incrementer = Incrementer(self.newton, self.contact, self.proximal, loose)
 
     def move(self, travel: float, pretension: float) -> None:
         """Prescribes where the ends are.
