@@ -101,11 +101,10 @@ inline Vec3 contact_position(const DeformableSurfaces& surfaces, const ContactEl
         const Skin& skin = surfaces.skin(surface);
         return combined(skin, q, facet, facet_weights(skin.kind, xi[0], xi[1]).value);
     };
-    const Vec3 a = at(e.surface_a, e.facet_a, e.s_a, e.xi_a),
-               b = at(e.surface_b, e.facet_b, e.s_b, e.xi_b);
-    if ((e.facet_a < 0) != (e.facet_b < 0))
-        return e.facet_a < 0 ? b : a;
-    return 0.5 * (a + b);
+    const Vec3 b = at(e.surface_b, e.facet_b, e.s_b, e.xi_b);
+    if (e.facet_a < 0 && e.facet_b >= 0)
+        return b;
+    return 0.5 * (at(e.surface_a, e.facet_a, e.s_a, e.xi_a) + b);
 }
 
 inline nb::dict contact_results(const OwnedSurfaces& surfaces, const ContactElements& elements,
@@ -122,13 +121,13 @@ inline nb::dict contact_results(const OwnedSurfaces& surfaces, const ContactElem
         return {r.system.gap, r.normal_force, r.friction_force,
                 contact_position(surfaces, e, view(q))};
     });
-    const auto scalar = [&](double Result::*member) {
+    const auto scalar = [&](double Result::* member) {
         return make_array<double>({n}, [&](double* p) {
             for (const auto& result : results)
                 *p++ = result.*member;
         });
     };
-    const auto vector = [&](Vec3 Result::*member) {
+    const auto vector = [&](Vec3 Result::* member) {
         return make_array<double>({n, 3}, [&](double* p) {
             for (std::size_t i = 0; i < n; ++i)
                 Eigen::Map<Vec3>(p + 3 * i) = results[i].*member;

@@ -1,7 +1,6 @@
 #include "skin_builder.h"
 
 #include "../parallel.h"
-#include "../search/near_stretches.h"
 #include "rules.h"
 
 #include <algorithm>
@@ -54,15 +53,6 @@ double mean_area(const Skin& skin, std::int32_t facet) {
 /// fine mesh unevenly.
 double share_of(double area_a, double area_b) {
     return area_b * area_b / (area_a * area_a + area_b * area_b);
-}
-
-/// Whether contact points are so dense that a round tube between two of them is seen: nearer to
-/// each other than this share of its radius.
-bool sees_roundness(const Skin& skin, const Tube& tube) {
-    constexpr double share = 0.4;
-    const double area = std::accumulate(skin.area.begin(), skin.area.end(), 0.0);
-    return area <
-           share * share * tube.radius * tube.radius * static_cast<double>(skin.num_points());
 }
 
 bool overlap(const Box& a, const Box& b, double apart) {
@@ -132,13 +122,7 @@ ContactElements SkinBuilder::skins(std::int32_t a, std::int32_t b) const {
     return builder_.finished(std::move(out));
 }
 
-ContactElements SkinBuilder::tube_and_skin(std::int32_t tube, std::int32_t skin) const {
-    return sees_roundness(current(skin).skin(), surfaces_.tube(tube))
-               ? points_on_tube(skin, tube)
-               : stations_on_skin(tube, skin);
-}
-
-ContactElements SkinBuilder::stations_on_skin(std::int32_t a, std::int32_t skin_b) const {
+ContactElements SkinBuilder::tube(std::int32_t a, std::int32_t skin_b) const {
     const Tube& tube = surfaces_.tube(a);
     const auto& onto = current(skin_b);
     const double reach = tube.radius + options_.search.margin;
@@ -173,41 +157,6 @@ ContactElements SkinBuilder::stations_on_skin(std::int32_t a, std::int32_t skin_
                        .facet_b = place->at.facet,
                        .xi_b = {place->at.u, place->at.v},
                        .allowance = rest_overlap(a, k) + place->rise * normal.dot(place->normal)});
-    }
-    return builder_.finished(std::move(out));
-}
-
-ContactElements SkinBuilder::points_on_tube(std::int32_t skin_a, std::int32_t b) const {
-    const auto& from = current(skin_a);
-    const Tube& tube = surfaces_.tube(b);
-    const double reach = tube.radius + options_.search.margin;
-    const NearStretches near(tube, q_, from.box(), reach);
-    ContactElements out;
-    if (near.empty())
-        return out;
-    for (std::int64_t k = 0; k < from.skin().num_points(); ++k) {
-        const auto point = from.point(k);
-        const auto s = near.nearest_section(point.position);
-        if (!s)
-            continue;
-        const Vec3 inward = position(tube, q_, *s) - point.position;
-        const double distance = inward.norm();
-        if (distance > reach || point.normal.dot(inward) <= -facing * distance)
-            continue;
-        const Vec3 normal =
-            distance > too_near * tube.radius ? Vec3(inward / distance) : point.normal;
-        out.push_back(
-            {.surface_a = skin_a,
-             .surface_b = b,
-             .s_a = 0,
-             .s_b = *s,
-             .station = k,
-             .normal = normal,
-             .weight = from.skin().area[static_cast<std::size_t>(k)],
-             .stiffness = 0,
-             .facet_a = point.at.facet,
-             .xi_a = {point.at.u, point.at.v},
-             .allowance = rest_overlap(skin_a, k) - point.rise * point.normal.dot(normal)});
     }
     return builder_.finished(std::move(out));
 }
@@ -262,7 +211,7 @@ std::vector<ContactElements> skin_parts(const Surfaces& surfaces, Unknowns q,
         const auto [a, b] = pairs[i];
         if (b < 0)
             return skins.wall(a, surfaces.rigid[static_cast<std::size_t>(-1 - b)], -1 - b);
-        return all.is_skin(a) ? skins.skins(a, b) : skins.tube_and_skin(a, b);
+        return all.is_skin(a) ? skins.skins(a, b) : skins.tube(a, b);
     });
 }
 

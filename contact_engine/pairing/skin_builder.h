@@ -11,8 +11,8 @@ namespace braidx {
 /// A contact point of a skin meets the nearest place of the other surface that it faces; normals
 /// and places are those of this update. Of two skins each has its points tested against the other,
 /// and they share the area, the denser ones with more of it: nothing changes when a and b are
-/// swapped. Points of a skin that are dense enough to see the roundness of a tube meet the nearest
-/// section of it; a tube on coarser facets meets them at stations along the tube.
+/// swapped. A tube meets a skin at
+/// stations along the tube: where they touch is narrower than facets.
 class SkinBuilder {
 public:
     SkinBuilder(const Surfaces& surfaces, Unknowns q, const Builder& builder,
@@ -20,7 +20,7 @@ public:
 
     /// Two skins, by their numbers among surfaces.
     ContactElements skins(std::int32_t a, std::int32_t b) const;
-    ContactElements tube_and_skin(std::int32_t tube, std::int32_t skin) const;
+    ContactElements tube(std::int32_t a, std::int32_t skin_b) const;
     ContactElements wall(std::int32_t skin_a, const Rigid& rigid, std::int32_t number) const;
 
 private:
@@ -29,8 +29,6 @@ private:
     }
     double rest_overlap(std::int32_t surface, std::int64_t station) const;
     void add_points(std::int32_t a, std::int32_t b, ContactElements& out) const;
-    ContactElements stations_on_skin(std::int32_t a, std::int32_t skin_b) const;
-    ContactElements points_on_tube(std::int32_t skin_a, std::int32_t b) const;
 
     DeformableSurfaces surfaces_;
     Unknowns q_;

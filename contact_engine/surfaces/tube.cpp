@@ -103,25 +103,6 @@ Vec3 curve_bend(const Tube& tube, Unknowns q, double s) {
     return bend / (tube.element_length * tube.element_length);
 }
 
-std::optional<double> nearest_section(const Tube& tube, Unknowns q, const Vec3& x, double s) {
-    constexpr int max_iterations = 20;
-    constexpr double furthest = 1; // elements per iteration
-    for (int i = 0; i < max_iterations; ++i) {
-        const auto at = curve_point(tube, q, s);
-        const Vec3 d = x - at.position;
-        const double definite = at.tangent.squaredNorm(),
-                     exact = definite - curve_bend(tube, q, s).dot(d);
-        const double arc = at.tangent.dot(d) / (exact > 0.2 * definite ? exact : definite);
-        const double step = std::clamp(arc / tube.element_length, -furthest, furthest);
-        s += step;
-        if (s < tube.first_element() || s > tube.end_element())
-            return std::nullopt;
-        if (std::abs(step) < 1e-10)
-            break;
-    }
-    return s;
-}
-
 Vec3 director(const Tube& tube, Unknowns q, const Support& support, int which) {
     Vec3 g = Vec3::Zero();
     for (int i = 0; i < support.count; ++i)

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace braidx {
 
@@ -80,10 +79,6 @@ struct CurvePoint {
 Vec3 curve_bend(const Tube& tube, Unknowns q, double s);
 
 CurvePoint curve_point(const Tube& tube, Unknowns q, double s);
-
-/// Section whose centre is nearest to x, found from a start `s` next to it; nothing where the
-/// nearest place is past an end of the tube.
-std::optional<double> nearest_section(const Tube& tube, Unknowns q, const Vec3& x, double s);
 
 /// Interpolated director (1 or 2) of a beam at s.
 Vec3 director(const Tube& tube, Unknowns q, const Support& support, int which);

@@ -186,7 +186,7 @@ class Contact:
             (a.size, 2), -1, np.int32
         )  # states saved before solids could touch know none
         arrays = {"facet": no_facets, **arrays}
-        swapped = (arrays["facet"][:, 0] >= 0) & (b >= 0) & (b < a)
+        swapped = np.all(arrays["facet"] >= 0, axis=1) & (b < a)
         first, second = np.where(swapped, (b, a), (a, b))
         own = engine.is_own(self.pairing, first, np.where(second < 0, -1 - second, second))
         self.restore(

@@ -18,8 +18,7 @@ def adopt_overlaps(contact: Contact, q: Floats) -> None:
     contact.update(q)
     contact.start = q
     results = contact.results(q)
-    on_skin = (results["facet"] >= 0).any(axis=1) & (results["tubes"][:, 1] >= 0)
-    inside = on_skin & (results["gap"] < 0.0)
+    inside = (results["facet"][:, 1] >= 0) & (results["gap"] < 0.0)
     mine = results["tubes"][inside, 0], results["station"][inside], -results["gap"][inside]
     parts = contact.comm.allgather(mine)
     surface, station, depth = (np.concatenate(column) for column in zip(*parts, strict=True))

@@ -15,7 +15,7 @@ from .newton import Newton, NewtonResult
 FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
 SLOW = 0.5  # reduction of that residual by an update below which updates are damped
 MOST_DAMPING = 1.0  # more would hide the residual rather than remove it
-CALMING = 0.25  # of the first damping, from one update to the next
+CALMING, HOLDING = 0.5, 4.0  # factors on the hold of loose ropes after a solve that converged, or did not
 FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
 GROWTH = 10.0  # largest factor on the penalty of a zone that penetrates too deep, at a time
 EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
@@ -93,8 +93,9 @@ class Incrementer:
 
     Args:
         newton, contact, proximal: What is solved.
-        first_damping: Of positions in the first repetition of an increment, N/mm per node: it holds what is loose, and
-            would else fly about while contacts are being found. Whatever it is, it does not act on the equilibrium.
+        hold: Damping that an increment of a loose rope starts with, N/mm per node, 0: none. It holds what would else
+            fly about while contacts are being found, is raised where Newton gets lost, which no line search mends, and
+            vanishes with the updates: it does not act on the equilibrium.
     """
 
     def __init__(
@@ -102,10 +103,10 @@ class Incrementer:
         newton: Newton,
         contact: Contact,
         proximal: ProximalTerm,
-        first_damping: float = 0.0,
+        hold: float = 0.0,
     ) -> None:
         self.newton, self.contact, self.proximal = newton, contact, proximal
-        self.first_damping = first_damping
+        self.hold = hold
 
     def solve(
         self, start: Floats, guess: Floats, options: IncrementOptions, stiffening: float = 1.0
@@ -213,8 +214,7 @@ class Incrementer:
         contact, proximal, system = self.contact, self.proximal, self.newton.system
         proximal.anchor = attempt.q
         force = system.term_norms[system.terms.index(contact)] / np.sqrt(max(len(attempt.q) / 3, 1))
-        damping = attempt.damping * force / contact.min_radius
-        damping = max(damping, self.first_damping * CALMING**attempt.updates)
+        damping = max(attempt.damping * force / contact.min_radius, attempt.held * self.hold)
         proximal.damping = np.where(self.newton.directors, 0.0, damping)
         symmetric = contact.symmetric_tangent
         changed = symmetric != self.newton.symmetric
@@ -223,10 +223,10 @@ class Incrementer:
             self.newton.renew()
         # More would be lost at the next update.
         enough = FORCING * attempt.residual
-        found, result = self.newton.solve(attempt.q, enough)
+        found, result = self.newton.solve(attempt.q, enough, search=not self.hold)
         attempt.count(result)
         LOGGER.debug(
-            "update %d: residual %.1e before, %d iterations, %d solves, %s; sections %s, damping %.2g, "
+            "update %d: residual %.1e before, %d iterations, %d solves, %s; sections %s, damping %.2g N/mm, "
             "%d penalties raised",
             attempt.updates,
             attempt.residual,
@@ -234,19 +234,22 @@ class Incrementer:
             result.linear_solves,
             result.reason,
             "follow" if attempt.follows else "frozen",
-            attempt.damping,
+            damping,
             attempt.raised,
         )
+        attempt.held *= CALMING if result.converged else HOLDING
         if not result.converged and attempt.follows:
             attempt.unfollowed = UNFOLLOWED
             return
         attempt.unfollowed = max(0, attempt.unfollowed - 1)
-        if not result.converged and not result.exhausted:
+        lost = not result.converged and not result.exhausted
+        if lost and not self.hold:
             raise attempt.failed(f"Newton: {result.reason} after {result.iterations} iterations")
-        attempt.exhausted += result.exhausted and not in_passing
+        attempt.exhausted += (lost or result.exhausted) and not in_passing
         if attempt.exhausted > EXHAUSTED:
             raise attempt.failed(f"Newton: no convergence in {result.iterations} iterations")
-        attempt.q = found
+        if not lost:
+            attempt.q = found
 
 
 @dataclass
@@ -257,6 +260,7 @@ class _Attempt:
     residual: float = np.inf
     norm: float = np.inf
     damping: float = 0.0
+    held: float = 1.0
     slow: int = 0
     follows: bool = False
     unfollowed: int = 0

@@ -17,7 +17,7 @@ PREFIX = "braidx_"  # of PETSc's options
 NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
 INDEFINITE = "the tangent is not positive definite"
 LINE_SEARCH = "snes_linesearch_type"
-VAIN = 6  # full steps in a row, none of which comes nearer than the best before, after which steps are searched for
+VAIN = 5  # full steps in a row, none of which comes nearer than the best before, after which steps are searched for
 
 
 @dataclass(frozen=True)
@@ -156,12 +156,15 @@ class Newton:
         # A failed factorisation is dealt with: CHOLMOD need not tell the user.
         return {"mat_cholmod_print": 0} if definite else {}
 
-    def solve(self, q: Floats, enough: float = 0.0) -> tuple[Floats, NewtonResult]:
+    def solve(
+        self, q: Floats, enough: float = 0.0, search: bool = True
+    ) -> tuple[Floats, NewtonResult]:
         """Equilibrium from the start q (all unknowns), shape (num_unknowns,), mm.
 
         Args:
             q: Where to start.
             enough: Relative residual that suffices where it is larger than `tolerance`.
+            search: Whether a line search is tried where full steps lead away.
         Returns:
             All unknowns at the last iterate, and the outcome.
         """
@@ -172,7 +175,7 @@ class Newton:
         if self.bold and self._full is not None:
             self.system.scatter(start, self.system.vector)
             result = tried = self._run(self._full, most_in_vain=VAIN)
-        if tried is None or not (tried.converged or tried.exhausted):
+        if tried is None or (search and not (tried.converged or tried.exhausted)):
             if tried is not None and tried.reason == INDEFINITE:
                 self.renew(indefinite=True)
             self.system.scatter(start, self.system.vector)

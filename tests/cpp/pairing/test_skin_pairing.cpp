@@ -164,27 +164,6 @@ TEST_CASE("a tube on a sheet touches below its centre line", "[skin_pairing]") {
         }
 }
 
-TEST_CASE("points that are dense for a tube meet its sections", "[skin_pairing]") {
-    for (const auto& kind : {smooth_cable, smooth_beam}) {
-        Rods rods;
-        rods.add_straight(kind, 4, 0.5, {0.3, 1, 0.48}, {2.7, 1.1, 0.48});
-        add_rectangle(rods, FacetKind::square4, {12, 8}, {0, 0, 0}, {3, 0, 0}, {0, 2, 0});
-        const auto elements = pair_up(rods); // points are 0.125 mm apart
-        CHECK(elements.size() > 200);
-        for (const auto& e : elements) {
-            CHECK((e.surface_a == 1 && e.surface_b == 0 && e.facet_a >= 0 && e.facet_b == -1));
-            CHECK(e.stiffness == PairingOptions{}.area_stiffness);
-            const Skin& skin = rods.skins[0];
-            const auto weights = facet_weights(skin.kind, e.xi_a[0], e.xi_a[1]);
-            const Vec3 x = combined(skin, rods.q, e.facet_a, weights.value),
-                       way = position(rods.tubes[0], rods.q, e.s_b) - x;
-            CHECK((e.normal - way.normalized()).norm() < 1e-12);
-            CHECK(std::abs(gap(rods, e) - (way.norm() - 0.5)) < 1e-12);
-            CHECK((e.s_b > 0 && e.s_b < 4 && e.normal[2] > 0.2));
-        }
-    }
-}
-
 TEST_CASE("a tube rolls over the edge of a box without a jump of its normal", "[skin_pairing]") {
     Rods rods;
     add_box(rods, FacetKind::square4, 2, {0, -2, -1}, {1, 2, 0});
