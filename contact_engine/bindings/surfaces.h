@@ -31,12 +31,12 @@ inline std::vector<Tube> make_tubes(const In<std::int64_t>& first_unknown,
 
 /// A skin from facets, shape (num_facets, nodes per facet), and rest positions in all unknowns.
 inline Skin skin_from_arrays(const In<std::int64_t>& facets, int body, double radius, int group,
-                             const In<double>& rest, bool dense, double offset) {
+                             const In<double>& rest, bool dense, bool smooth, double offset) {
     const auto nodes = facets.ndim() == 2 ? facets.shape(1) : 0;
     if (nodes != 3 && nodes != 4 && nodes != 6 && nodes != 9)
         throw nb::value_error("facets: give 3, 4, 6 or 9 nodes per facet, in an array of two axes");
     return make_skin(static_cast<FacetKind>(nodes), {facets.data(), facets.data() + facets.size()},
-                     body, radius, group, view(rest), dense, offset);
+                     body, radius, group, view(rest), dense, smooth, offset);
 }
 
 } // namespace braidx::bindings

@@ -32,8 +32,7 @@ CurrentSkin::Point CurrentSkin::point(std::int64_t number) const {
     const auto at = contact_point(*skin_, number);
     const auto weights = facet_weights(skin_->kind, at.u, at.v);
     return {at, combined(*skin_, q_, at.facet, weights.value),
-            smooth_normal(*skin_, nodal_, at.facet, weights),
-            rise(*skin_, q_, nodal_, at.facet, weights)};
+            smooth_normal(*skin_, nodal_, at.facet, weights), rise(*skin_, at.facet, weights)};
 }
 
 CurrentSkin::Cell CurrentSkin::cell_of(const Vec3& x) const {
@@ -73,7 +72,7 @@ SkinPlace CurrentSkin::place(std::int32_t facet, const Vec3& x) const {
     const auto weights = facet_weights(skin_->kind, at.u, at.v);
     const Vec3 position = combined(*skin_, q_, facet, weights.value);
     return {at, position, smooth_normal(*skin_, nodal_, facet, weights), x - position,
-            rise(*skin_, q_, nodal_, facet, weights)};
+            rise(*skin_, facet, weights)};
 }
 
 } // namespace braidx

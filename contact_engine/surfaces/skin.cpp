@@ -97,6 +97,19 @@ bool touches_edge(const Skin& skin, std::int32_t facet, std::size_t edge, std::i
     return false;
 }
 
+void find_bulges(Skin& skin, Unknowns rest) {
+    const auto normal = nodal_normals(skin, rest);
+    const int count = skin.nodes_per_facet();
+    for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet)
+        for (int i = 0; i < count; ++i) {
+            const auto number = skin.normal_of[static_cast<std::size_t>(facet * count + i)];
+            const Vec3& n = normal[static_cast<std::size_t>(number)];
+            const Vec3 x = vector_at(rest, skin.unknown_of(facet, i));
+            for (int j = 0; j < count; ++j)
+                skin.bulge.push_back(0.5 * n.dot(x - vector_at(rest, skin.unknown_of(facet, j))));
+        }
+}
+
 void find_neighbours(Skin& skin) {
     const auto per_facet = static_cast<std::size_t>(skin.nodes_per_facet());
     std::unordered_map<std::int64_t, std::vector<std::int32_t>> facets_of;
@@ -150,7 +163,7 @@ FacetPoint contact_point(const Skin& skin, std::int64_t number) {
 }
 
 Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
-               int group, Unknowns rest, bool dense, double offset) {
+               int group, Unknowns rest, bool dense, bool smooth, double offset) {
     Skin out;
     out.kind = kind;
     out.unknown = std::move(unknown);
@@ -165,6 +178,8 @@ Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, doub
             out.area.push_back(p.weight * at.area().norm());
         }
     share_normals(out, areas_at_nodes(out, rest));
+    if (smooth && facet_degree(kind) == 1)
+        find_bulges(out, rest);
     find_neighbours(out);
     find_rim(out);
     return out;
@@ -211,21 +226,16 @@ Vec3 smooth_normal(const Skin& skin, const std::vector<Vec3>& nodal, std::int32_
     return out.normalized();
 }
 
-double rise(const Skin& skin, Unknowns q, const std::vector<Vec3>& nodal, std::int32_t facet,
-            const FacetWeights& weights) {
-    if (facet_degree(skin.kind) > 1)
-        return skin.offset;
-    const Vec3 place = combined(skin, q, facet, weights.value);
-    const auto first =
-        static_cast<std::size_t>(facet) * static_cast<std::size_t>(skin.nodes_per_facet());
-    double twice = 0;
-    for (int n = 0; n < skin.nodes_per_facet(); ++n) {
-        const auto i = static_cast<std::size_t>(n);
-        const auto normal = static_cast<std::size_t>(skin.normal_of[first + i]);
-        twice +=
-            weights.value[i] * nodal[normal].dot(vector_at(q, skin.unknown_of(facet, n)) - place);
-    }
-    return skin.offset + twice / 2;
+double rise(const Skin& skin, std::int32_t facet, const FacetWeights& weights) {
+    double out = skin.offset;
+    if (skin.bulge.empty())
+        return out;
+    const auto count = static_cast<std::size_t>(skin.nodes_per_facet());
+    const double* form = skin.bulge.data() + static_cast<std::size_t>(facet) * count * count;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j)
+            out += weights.value[i] * weights.value[j] * form[count * i + j];
+    return out;
 }
 
 } // namespace braidx

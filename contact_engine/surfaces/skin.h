@@ -23,6 +23,9 @@ struct Skin {
     /// lie outside that circle: negative.
     double offset = 0;
     std::vector<double> area; ///< rest area that each contact point stands for, mm^2
+    /// Of each flat facet, nodes x nodes: its form in the weights of a place is how far the smooth
+    /// surface through the nodes is above the facet at rest, mm. Empty where facets are taken as they are, and of degree 2.
+    std::vector<double> bulge;
     /// Nodes of facets that share a normal: those at one place that lie smoothly side by side.
     std::vector<std::int32_t> normal_of;
     std::int32_t num_normals = 0;
@@ -59,9 +62,10 @@ bool is_on_rim(const Skin& skin, const FacetPoint& at);
 FacetPoint contact_point(const Skin& skin, std::int64_t number);
 
 /// A skin whose contact areas, and sharp edges, are those of the positions `rest`. Facets that meet
-/// at less than 50 degrees are smooth there.
+/// at less than 50 degrees are smooth there; flat ones stand for a smooth surface if it is `smooth`.
 Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
-               int group, Unknowns rest, bool dense = false, double offset = 0);
+               int group, Unknowns rest, bool dense = false, bool smooth = true,
+               double offset = 0);
 
 /// The facet of a place, and those that a particle may move onto when its coordinates change by up
 /// to `reach`.
@@ -89,10 +93,10 @@ Vec3 smooth_normal(const Skin& skin, const std::vector<Vec3>& nodal, std::int32_
                    const FacetWeights& weights);
 
 /// Height of the surface that a skin stands for above a place on a facet, along its normal, mm:
-/// the skin's offset, and on flat facets the bulge that has the nodes' normals, half of the
-/// weighted sum of (x_i - x) . n_i. It is exact for spheres and cylinders up to the square of the
-/// sag, zero at the nodes, and continuous across smooth edges.
-double rise(const Skin& skin, Unknowns q, const std::vector<Vec3>& nodal, std::int32_t facet,
-            const FacetWeights& weights);
+/// the skin's offset, and on flat facets the bulge, half of the weighted sum of (x_i - x) . n_i
+/// with the nodes' normals n_i. That is exact for spheres and cylinders up to the square of the
+/// sag, zero at the nodes, and continuous across smooth edges. It is that of the shape at rest,
+/// which facets carry along: of the present shape it would change with every force.
+double rise(const Skin& skin, std::int32_t facet, const FacetWeights& weights);
 
 } // namespace braidx

@@ -7,6 +7,7 @@ from typing import Any
 
 import braidx_engine as engine
 import numpy as np
+import numpy.typing as npt
 
 from ..system.terms import Floats, Ints
 
@@ -24,6 +25,7 @@ class SkinLayout:
         group: Skins and tubes of one group, from 0, never touch; -1: no group. Shape (num_skins,).
         radius: How deep a particle may be inside before it counts as on the far side of the solid, about half its
             thickness, mm, shape (num_skins,).
+        smooth: Whether flat facets stand for the smooth surface through their nodes, shape (num_skins,) or one for all.
         offset: How far the surface is outside the nodes, mm, shape (num_skins,) or one for all: negative where nodes lie
             outside the surface that they stand for, as those of a polygon with the area of a circle.
         dense: Whether facets have more contact points: pressure between facets that do not match gets more even.
@@ -33,6 +35,7 @@ class SkinLayout:
     body: Ints
     group: Ints
     radius: Floats
+    smooth: npt.NDArray[np.bool_] | bool = True
     offset: Floats | float = 0.0
     dense: bool = False
 
@@ -75,5 +78,8 @@ def _engine_skin(number: int, layout: SkinLayout, rest: Floats) -> Any:
         int(layout.group[number]),
         rest,
         layout.dense,
-        float(np.broadcast_to(layout.offset, len(layout.facets))[number]),
+        *(
+            np.broadcast_to(value, len(layout.facets))[number].item()
+            for value in (layout.smooth, layout.offset)
+        ),
     )

@@ -15,7 +15,7 @@ from .newton import Newton, NewtonResult
 FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
 SLOW = 0.5  # reduction of that residual by an update below which updates are damped
 MOST_DAMPING = 1.0  # more would hide the residual rather than remove it
-CALMING, HOLDING = 0.5, 4.0  # factors on the hold of loose ropes after a solve that converged, or did not
+CALMING, HOLDING = 0.5, 4.0  # factors on the hold of a loose rope after a solve that converged, or did not
 FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
 GROWTH = 10.0  # largest factor on the penalty of a zone that penetrates too deep, at a time
 EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
@@ -93,9 +93,9 @@ class Incrementer:
 
     Args:
         newton, contact, proximal: What is solved.
-        hold: Damping that an increment of a loose rope starts with, N/mm per node, 0: none. It holds what would else
-            fly about while contacts are being found, is raised where Newton gets lost, which no line search mends, and
-            vanishes with the updates: it does not act on the equilibrium.
+        hold: Damping of a loose rope, N/mm per node, where Newton gets lost: it holds what would else fly about while
+            contacts are being found, which no line search mends. It vanishes with the updates that follow, and does not
+            act on the equilibrium. 0: none, steps are searched for.
     """
 
     def __init__(
@@ -237,7 +237,7 @@ class Incrementer:
             damping,
             attempt.raised,
         )
-        attempt.held *= CALMING if result.converged else HOLDING
+        attempt.held = CALMING * attempt.held if result.converged else max(HOLDING * attempt.held, 1.0)
         if not result.converged and attempt.follows:
             attempt.unfollowed = UNFOLLOWED
             return
@@ -260,7 +260,7 @@ class _Attempt:
     residual: float = np.inf
     norm: float = np.inf
     damping: float = 0.0
-    held: float = 1.0
+    held: float = 0.0
     slow: int = 0
     follows: bool = False
     unfollowed: int = 0

@@ -17,7 +17,8 @@ PREFIX = "braidx_"  # of PETSc's options
 NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
 INDEFINITE = "the tangent is not positive definite"
 LINE_SEARCH = "snes_linesearch_type"
-VAIN = 5  # full steps in a row, none of which comes nearer than the best before, after which steps are searched for
+VAIN = 3  # full steps in a row, none of which comes nearer than the best before, after which steps are searched for
+PATIENT = 5  # the same where no search follows
 
 
 @dataclass(frozen=True)
@@ -174,7 +175,7 @@ class Newton:
         start, tried = self.system.free_values(q), None
         if self.bold and self._full is not None:
             self.system.scatter(start, self.system.vector)
-            result = tried = self._run(self._full, most_in_vain=VAIN)
+            result = tried = self._run(self._full, most_in_vain=VAIN if search else PATIENT)
         if tried is None or (search and not (tried.converged or tried.exhausted)):
             if tried is not None and tried.reason == INDEFINITE:
                 self.renew(indefinite=True)

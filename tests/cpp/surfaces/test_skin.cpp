@@ -111,7 +111,7 @@ TEST_CASE("flat facets stand for the smooth surface through their nodes", "[skin
         for (std::int64_t k = 0; k < skin.num_points(); ++k) {
             const auto at = contact_point(skin, k);
             const Vec3 facet = position_at(skin, rods.q, at),
-                       smooth = facet + height(skin, rods.q, at) * normal_at(skin, nodal, at);
+                       smooth = facet + height(skin, at) * normal_at(skin, nodal, at);
             const double sag = 2 - facet.head<2>().norm(), missed = smooth.head<2>().norm() - 2;
             CHECK(sag > 0.02);
             // Nodes of triangles at the rim have normals of unequal facets.
@@ -119,7 +119,7 @@ TEST_CASE("flat facets stand for the smooth surface through their nodes", "[skin
         }
         for (int node = 0; node < skin.nodes_per_facet(); ++node) {
             const auto [u, v] = facet_node(kind, node);
-            CHECK(std::abs(height(skin, rods.q, {5, u, v})) < 1e-15);
+            CHECK(std::abs(height(skin, {5, u, v})) < 1e-15);
         }
     }
 }
@@ -133,8 +133,7 @@ TEST_CASE("a skin's offset lifts its surface everywhere, plane or of degree 2", 
         for (std::int64_t k = 0; k < skin.num_points(); ++k) {
             const auto at = contact_point(skin, k);
             const auto weights = facet_weights(kind, at.u, at.v);
-            const auto nodal = nodal_normals(skin, rods.q);
-            CHECK(std::abs(rise(skin, rods.q, nodal, at.facet, weights) + 0.07) < 1e-15);
+            CHECK(std::abs(rise(skin, at.facet, weights) + 0.07) < 1e-15);
         }
     }
 }

@@ -9,6 +9,7 @@ from mpi4py import MPI
 from braidx.processes.start import make_model, start_state
 from braidx.scene import load_scene
 from braidx.solver.increment import Diverged, IncrementOptions
+from braidx.solver.newton import NewtonResult
 
 STRAND = Path(__file__).parents[3] / "demos" / "twisted_strand.toml"
 
@@ -97,6 +98,45 @@ def test_the_way_back_leads_on():
         results.append(pull(model, q, 2e-3))
     assert np.abs(results[0].q - results[1].q).max() < 1e-9
     assert results[0].friction_work == pytest.approx(results[1].friction_work, rel=1e-6)
+
+
+def test_a_hold_does_not_act_on_the_equilibrium():
+    held, free = [], []
+    for hold, found in ((0.0, free), (300.0, held)):
+        model, q = short_strand("contact.friction=0.0")
+        q = q + 1e-3 * np.sin(np.arange(len(q)))  # far from where an even stretch brings it
+        model.incrementer.hold = hold
+        increment = pull(model, q, 1e-3)
+        model.set_viscosity(0.0)
+        found += [increment.q, model.newton.residual(increment.q), increment.updates]
+    assert held[2] > free[2]
+    assert held[1] < 1.5 * free[1]  # both with what the stabilisation holds
+    assert np.abs(held[0] - free[0]).max() < 2e-4
+
+
+def test_a_loose_rope_is_held_harder_where_newton_gets_lost(monkeypatch):
+    model, q = short_strand()
+    model.incrementer.hold = hold = 300.0
+    solve, dampings = model.newton.solve, []
+
+    def lost_at_first(start, enough, search):
+        dampings.append(model.proximal.damping.max())
+        assert not search
+        if len(dampings) == 1:
+            return start + 1.0, NewtonResult(False, 7, 7, 9.0, "diverged local min")
+        return solve(start, enough, search)
+
+    monkeypatch.setattr(model.newton, "solve", lost_at_first)
+    increment = pull(model, q, 1e-3)
+    assert dampings[:3] == pytest.approx([hold, 4 * hold, 2 * hold])
+    assert increment.iterations > 7
+    monkeypatch.setattr(
+        model.newton,
+        "solve",
+        lambda q, enough, search: (q, NewtonResult(False, 7, 7, 9.0, "diverged local min")),
+    )
+    with pytest.raises(Diverged, match="no convergence"):
+        pull(model, increment.q, 2e-3)
 
 
 def test_stabilisation_works_on_departures_from_the_guess():

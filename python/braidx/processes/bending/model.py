@@ -35,7 +35,7 @@ from .surfaces import surfaces_of
 # METIS orders these matrices as well as any other, in half of the time that MUMPS takes to choose.
 ORDERING = {"mat_mumps_icntl_7": 5}
 
-LEAST_STRAIN = 1e-3  # of one yarn: smaller forces are none, as in the straight rope
+LEAST_STRAIN = 1e-5  # of one yarn: smaller forces are none, as in the straight rope
 
 
 class BentRope:

@@ -47,14 +47,14 @@ def yarn_solids(
     return SolidBody(comm, join(meshes), material=yarn_material(scene))
 
 
+def _yarn_section(yarn: YarnModel) -> SectionMesh:
+    """As stiff as the round section: axial force and bending come from its area."""
+    return round_section(yarn.radius, yarn.seeds, degree=yarn.solid_degree, equal_area=True)
+
+
 def yarn_offset(yarn: YarnModel) -> float:
     """How far the surface of a yarn is outside the nodes of its section, mm (negative), see SkinLayout."""
     return float(yarn.radius - _yarn_section(yarn).outer_radius)
-
-
-def core_offset(core: Core) -> float:
-    """Likewise of the core; nodes of a mesh of its own are on its surface."""
-    return 0.0 if core.mesh else float(core.radius - _core_section(core).outer_radius)
 
 
 def core_solid(comm: MPI.Comm, scene: Scene) -> SolidBody:
@@ -110,19 +110,7 @@ def _cylinder(scene: Scene, core: Core) -> SolidMesh:
     num_layers = core.degree * max(1, round(scene.length / length)) + 1
     line = np.zeros((num_layers, 3))
     line[:, 2] = np.linspace(0.0, scene.length, num_layers)
-    directors = np.broadcast_to(np.eye(3)[:2], (num_layers, 2, 3))
-    return sweep(line, _core_section(core), directors)
-
-
-# As stiff as the round sections: axial force and bending come from the area.
-
-
-def _yarn_section(yarn: YarnModel) -> SectionMesh:
-    return round_section(yarn.radius, yarn.seeds, degree=yarn.solid_degree, equal_area=True)
-
-
-def _core_section(core: Core) -> SectionMesh:
-    return round_section(
+    section = round_section(
         core.radius,
         core.seeds,
         template=core.section,
@@ -130,3 +118,5 @@ def _core_section(core: Core) -> SectionMesh:
         inner_radius=core.inner_radius,
         equal_area=True,
     )
+    directors = np.broadcast_to(np.eye(3)[:2], (num_layers, 2, 3))
+    return sweep(line, section, directors)

@@ -10,7 +10,7 @@ from ...contact.skins import SkinLayout
 from ...contact.tubes import TubeLayout
 from ...system.constraints import Ints
 from .assembly import Assembly
-from .solids import core_offset, yarn_offset
+from .solids import yarn_offset
 
 YARN, CORE, SHEAVE = range(3)  # bodies, as far as friction is concerned
 NO_YARN = -1  # number of the core among the yarns
@@ -79,7 +79,6 @@ def _skins(assembly: Assembly) -> tuple[SkinLayout | None, Ints]:
     facets: list[Ints] = []
     owner: list[int] = []
     radius: list[float] = []
-    offset: list[float] = []
     scene = assembly.scene
     if assembly.solids is not None:
         body, first = assembly.solids
@@ -87,17 +86,26 @@ def _skins(assembly: Assembly) -> tuple[SkinLayout | None, Ints]:
             facets.append(first + 3 * body.facet_nodes("lateral", part))
             owner.append(stretch.yarn)
             radius.append(scene.yarn.radius)
-            offset.append(yarn_offset(scene.yarn))
     if assembly.core_solid is not None:
         assert scene.core is not None
         body, first = assembly.core_solid
         facets.append(first + 3 * body.facet_nodes(scene.core.surface))
         owner.append(NO_YARN)
         radius.append(scene.core.radius - scene.core.inner_radius)
-        offset.append(core_offset(scene.core))
     numbers = np.array(owner, dtype=np.int64)
     if not facets:
         return None, numbers
     kind = np.where(numbers == NO_YARN, CORE, YARN)
-    layout = SkinLayout(tuple(facets), kind, numbers, np.array(radius), np.array(offset))
-    return layout, numbers
+    yarns = numbers != NO_YARN
+    return (
+        SkinLayout(
+            tuple(facets),
+            kind,
+            numbers,
+            np.array(radius),
+            # Yarns that touched a smooth core all along would be jammed from the start.
+            smooth=yarns,
+            offset=np.where(yarns, yarn_offset(scene.yarn), 0.0),
+        ),
+        numbers,
+    )
