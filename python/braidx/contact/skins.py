@@ -26,8 +26,8 @@ class SkinLayout:
         radius: How deep a particle may be inside before it counts as on the far side of the solid, about half its
             thickness, mm, shape (num_skins,).
         smooth: Whether flat facets stand for the smooth surface through their nodes, shape (num_skins,) or one for all.
-        offset: How far the surface is outside the nodes, mm, shape (num_skins,) or one for all: negative where nodes lie
-            outside the surface that they stand for, as those of a polygon with the area of a circle.
+        offset: How far the surface is outside the nodes, mm, shape (num_skins,) or one for all: negative where nodes
+            lie outside the surface that they stand for, as those of a polygon with the area of a circle.
         dense: Whether facets have more contact points: pressure between facets that do not match gets more even.
     """
 

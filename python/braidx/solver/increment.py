@@ -15,7 +15,10 @@ from .newton import Newton, NewtonResult
 FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
 SLOW = 0.5  # reduction of that residual by an update below which updates are damped
 MOST_DAMPING = 1.0  # more would hide the residual rather than remove it
-CALMING, HOLDING = 0.5, 4.0  # factors on the hold of a loose rope after a solve that converged, or did not
+CALMING, HOLDING = (
+    0.5,
+    4.0,
+)  # factors on the hold of a loose rope after a solve that converged, or did not
 FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
 GROWTH = 10.0  # largest factor on the penalty of a zone that penetrates too deep, at a time
 EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
@@ -237,7 +240,9 @@ class Incrementer:
             damping,
             attempt.raised,
         )
-        attempt.held = CALMING * attempt.held if result.converged else max(HOLDING * attempt.held, 1.0)
+        attempt.held = (
+            CALMING * attempt.held if result.converged else max(HOLDING * attempt.held, 1.0)
+        )
         if not result.converged and attempt.follows:
             attempt.unfollowed = UNFOLLOWED
             return

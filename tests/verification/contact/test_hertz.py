@@ -1,20 +1,20 @@
 """C5: Hertz's line contact of solids in plane strain: half width a and peak pressure p0.
 
-Hertz is for small strains: his x is that of a particle at rest. Under the load of C5, at 5 % strain, particles have moved
-inwards by up to 2 % of a, so that x is taken at rest here, too, and the law matters: neo-Hooke's stays nearly linear,
-Saint-Venant and Kirchhoff's softens when compressed. Results of the case over Hertz's, with a and p0 from a fit of
-p^2 = p0^2 (1 - x^2 / a^2) within 0.9 a, and the mean pressure of contact elements within 0.3 a:
+Hertz is for small strains: his x is that of a particle at rest. Under the load of C5, at 5 % strain, particles have
+moved inwards by up to 2 % of a, so that x is taken at rest here, too, and the law matters: neo-Hooke's stays nearly
+linear, Saint-Venant and Kirchhoff's softens when compressed. Results of the case over Hertz's, with a and p0 from a fit
+of p^2 = p0^2 (1 - x^2 / a^2) within 0.9 a, and the mean pressure of contact elements within 0.3 a:
 
 | case | a | p0 | mean |
 | --- | ---: | ---: | ---: |
-| meshes that match, 12 and 12 elements over a | 0.986 | 1.003 | 1.001 |
-| 12 and 15 | 0.998 | 1.001 | 0.997 |
-| 12 and 15, dense points | 0.995 | 1.001 | 1.001 |
+| meshes that match, 12 and 12 elements over a | 0.998 | 1.001 | 1.001 |
+| 12 and 15 | 1.004 | 1.001 | 0.998 |
+| 12 and 15, dense points | 1.001 | 1.002 | 1.006 |
 | degree 2, 10 and 13 | 0.996 | 1.001 | 0.997 |
-| 12 and 12, Saint-Venant and Kirchhoff's law | 1.047 | 0.956 | 0.954 |
+| 12 and 12, Saint-Venant and Kirchhoff's law | 1.054 | 0.955 | 0.954 |
 
-Under a hundredth of the load both laws are within 1 %, also on a plane, where x is of the present. Of what p0 lacks there
-0.1 % is the penalty. Where facets do not match, pressure is uneven from point to point
+Under a hundredth of the load both laws are within 1 %, also on a plane, where x is of the present. Of what p0 lacks
+there 0.1 % is the penalty. Where facets do not match, pressure is uneven from point to point
 (tests/python/contact/test_skin_patch.py), more so with a higher penalty, not in the mean.
 """
 
@@ -125,14 +125,14 @@ def test_numbers_of_the_case():
 def test_two_cylinders(counts, degree, dense):
     case = two_cylinders(LOAD)
     contacts = press(case, counts, degree, dense=dense)
-    assert measured(case, contacts) == pytest.approx(np.ones(3), abs=0.02)
+    assert measured(case, contacts) == pytest.approx(np.ones(3), abs=0.01)
 
 
 @pytest.mark.parametrize("law", ["Saint-Venant-Kirchhoff", "neo-Hooke"])
 @pytest.mark.parametrize("degree", [1, 2])
 def test_cylinder_on_a_plane(degree, law):
     case = on_a_plane(SMALL * LOAD)
-    assert measured(case, press(case, (12,), degree, law)) == pytest.approx(np.ones(3), abs=0.02)
+    assert measured(case, press(case, (12,), degree, law)) == pytest.approx(np.ones(3), abs=0.01)
 
 
 def test_a_law_that_softens():
@@ -143,4 +143,4 @@ def test_a_law_that_softens():
         errors.append(measured(case, press(case, (12, 12), law="Saint-Venant-Kirchhoff")) - 1.0)
     half_width, peak, _ = np.transpose(errors)
     assert np.all(np.diff(half_width) < 0.0) and np.all(np.diff(peak) > 0.0)
-    assert errors[-1] == pytest.approx(np.zeros(3), abs=0.02)
+    assert errors[-1] == pytest.approx(np.zeros(3), abs=0.01)

@@ -43,7 +43,7 @@ def yarn_solids(
         meshes = [sweep(line, section, g) for line, g in zip(lines, directors, strict=True)]
     except ValueError as error:
         cure = f"{error}; or use beams, a smaller yarn.radius or a braid.angle nearer to 90."
-        raise SceneError("yarn.model", cure, yarn.model) from None
+        raise SceneError("yarn.model", cure, scene.yarn.model) from None
     return SolidBody(comm, join(meshes), material=yarn_material(scene))
 
 
