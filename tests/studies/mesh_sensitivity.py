@@ -10,8 +10,8 @@ from study import QUICK, Case, Study, main
 SHORT = (
     "rope.pitches=1",
     "yarn.model=solid",
-    "steps.bend.travel=7",
-    "steps.bend.increments=10",
+    "steps.bend.travel=4",
+    "steps.bend.increments=6",
 )
 MESHES = ((8, 36), (12, 36), (8, 54), (12, 54))  # seeds, elements per pitch: 1.4 and 0.9 mm long
 
