@@ -96,9 +96,9 @@ class Incrementer:
 
     Args:
         newton, contact, proximal: What is solved.
-        hold: Damping of a loose rope, N/mm per node, where Newton gets lost: it holds what would else fly about while
-            contacts are being found, which no line search mends. It vanishes with the updates that follow, and does not
-            act on the equilibrium. 0: none, steps are searched for.
+        hold: Damping, N/mm per node, where Newton gets lost in a rope so loose that contact forces are no match for it:
+            it holds what would else fly about while contacts are being found, which no line search mends. It vanishes
+            with the updates that follow, and does not act on the equilibrium. 0: none.
     """
 
     def __init__(
@@ -217,7 +217,9 @@ class Incrementer:
         contact, proximal, system = self.contact, self.proximal, self.newton.system
         proximal.anchor = attempt.q
         force = system.term_norms[system.terms.index(contact)] / np.sqrt(max(len(attempt.q) / 3, 1))
-        damping = max(attempt.damping * force / contact.min_radius, attempt.held * self.hold)
+        stiffness = force / contact.min_radius
+        loose = self.hold > FIRST_DAMPING * stiffness
+        damping = max(attempt.damping * stiffness, attempt.held * self.hold)
         proximal.damping = np.where(self.newton.directors, 0.0, damping)
         symmetric = contact.symmetric_tangent
         changed = symmetric != self.newton.symmetric
@@ -226,7 +228,7 @@ class Incrementer:
             self.newton.renew()
         # More would be lost at the next update.
         enough = FORCING * attempt.residual
-        found, result = self.newton.solve(attempt.q, enough, search=not self.hold)
+        found, result = self.newton.solve(attempt.q, enough, search=not loose)
         attempt.count(result)
         LOGGER.debug(
             "update %d: residual %.1e before, %d iterations, %d solves, %s; sections %s, damping %.2g N/mm, "
@@ -248,7 +250,7 @@ class Incrementer:
             return
         attempt.unfollowed = max(0, attempt.unfollowed - 1)
         lost = not result.converged and not result.exhausted
-        if lost and not self.hold:
+        if lost and not loose:
             raise attempt.failed(f"Newton: {result.reason} after {result.iterations} iterations")
         attempt.exhausted += (lost or result.exhausted) and not in_passing
         if attempt.exhausted > EXHAUSTED:
