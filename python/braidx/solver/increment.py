@@ -10,16 +10,11 @@ from ..contact.contact import Contact
 from ..output.log import LOGGER
 from ..system.constraints import Floats
 from ..system.proximal import ProximalTerm
-from .newton import Newton, NewtonResult
+from .newton import Newton
+from .trial import FIRST_DAMPING, Diverged, Trial
 
 FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
 SLOW = 0.5  # reduction of that residual by an update below which updates are damped
-MOST_DAMPING = 1.0  # more would hide the residual rather than remove it
-CALMING, HOLDING = (
-    0.5,
-    4.0,
-)  # factors on the hold of a loose rope after a solve that converged, or did not
-FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
 GROWTH = 10.0  # largest factor on the penalty of a zone that penetrates too deep, at a time
 EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
 FORCING = 0.03  # an equilibrium is found to this fraction of the residual that its contact elements started with
@@ -76,18 +71,6 @@ class Increment:
     contact_elements: int
 
 
-class Diverged(Exception):
-    """An increment found no equilibrium; state and contact history are those of its start.
-
-    Attributes:
-        iterations, linear_solves: What the attempt cost.
-    """
-
-    def __init__(self, reason: str, iterations: int, linear_solves: int) -> None:
-        super().__init__(reason)
-        self.iterations, self.linear_solves = iterations, linear_solves
-
-
 class Incrementer:
     """Solves increments: Newton for given contact elements, new ones until the pairing is consistent.
 
@@ -133,93 +116,99 @@ class Incrementer:
         self.contact.scale_stiffness(stiffening)
         if options.penetration is not None:
             self.contact.adopt_stiffness()
-        attempt = _Attempt(guess)
+        trial = Trial(guess, loose=self._is_loose(start))
         try:
-            while not self._accepted(attempt, options) or self._lets_go(attempt, options):
-                self._improve(attempt, options.in_passing)
+            while not self._accepted(trial, options) or self._lets_go(trial, options):
+                self._improve(trial, options.in_passing)
         except Diverged:
             self.contact.restore(before)
             raise
         finally:
             self.proximal.damping = np.zeros_like(guess)
-        work = self.proximal.work(attempt.q)
-        done = self.contact.commit(attempt.q)
+        work = self.proximal.work(trial.q)
+        done = self.contact.commit(trial.q)
         return Increment(
-            attempt.q,
-            attempt.iterations,
-            attempt.solves,
-            attempt.updates,
-            attempt.residual,
+            trial.q,
+            trial.iterations,
+            trial.solves,
+            trial.updates,
+            trial.residual,
             work,
             *done,
         )
 
-    def _accepted(self, attempt: _Attempt, options: IncrementOptions) -> bool:
-        """Makes contact elements anew and looks what residual they leave."""
-        if options.in_passing and attempt.updates >= options.max_updates:
-            return True
-        last = attempt.norm
-        self._update(attempt)
-        consistent = attempt.updates > 0 and attempt.residual < options.pairing_tolerance
-        fresh, attempt.raised = attempt.raised > 0, 0
-        if consistent and options.penetration is not None:
-            self._raise_penalties(attempt, options.penetration)
-        if consistent and not attempt.raised:
-            return True
-        if attempt.updates and not consistent and not fresh:
-            attempt.judge(attempt.norm > SLOW * last)
-        if attempt.updates < options.max_updates:
+    def _is_loose(self, q: Floats) -> bool:
+        """Whether contact forces at an equilibrium are no match for the hold."""
+        if not self.hold:
             return False
-        why = (
-            "penetration above tolerance" if attempt.raised else f"residual {attempt.residual:.1e}"
-        )
-        raise attempt.failed(
-            f"no consistent pairing after {attempt.updates} contact updates, {why}"
-        )
+        self.newton.residual(q)
+        return self.hold > FIRST_DAMPING * self._contact_stiffness()
 
-    def _lets_go(self, attempt: _Attempt, options: IncrementOptions) -> bool:
+    def _contact_stiffness(self) -> float:
+        """Contact force of a node over the radius, N/mm, at the state evaluated last."""
+        system, num_unknowns = self.newton.system, len(self.newton.directors)
+        norm = float(system.term_norms[system.terms.index(self.contact)])
+        return norm / float(np.sqrt(max(num_unknowns / 3, 1))) / self.contact.min_radius
+
+    def _accepted(self, trial: Trial, options: IncrementOptions) -> bool:
+        """Makes contact elements anew and looks what residual they leave."""
+        if options.in_passing and trial.updates >= options.max_updates:
+            return True
+        last = trial.norm
+        self._update(trial)
+        consistent = trial.updates > 0 and trial.residual < options.pairing_tolerance
+        fresh, trial.raised = trial.raised > 0, 0
+        if consistent and options.penetration is not None:
+            self._raise_penalties(trial, options.penetration)
+        if consistent and not trial.raised:
+            return True
+        if trial.updates and not consistent and not fresh:
+            trial.judge(trial.norm > SLOW * last)
+        if trial.updates < options.max_updates:
+            return False
+        why = "penetration above tolerance" if trial.raised else f"residual {trial.residual:.1e}"
+        raise trial.failed(f"no consistent pairing after {trial.updates} contact updates, {why}")
+
+    def _lets_go(self, trial: Trial, options: IncrementOptions) -> bool:
         """Whether the stabilisation still holds the state found, which it lets go then."""
         most = np.inf if options.stabilisation is None else options.stabilisation
-        if attempt.releases >= RELEASES or self.proximal.work(attempt.q) <= most:
+        if trial.releases >= RELEASES or self.proximal.work(trial.q) <= most:
             return False
-        attempt.releases += 1
-        self.proximal.start = attempt.q
-        self._measure(attempt)
+        trial.releases += 1
+        self.proximal.start = trial.q
+        self._measure(trial)
         # What it held may be less than what an equilibrium may leave.
-        return attempt.residual >= options.pairing_tolerance
+        return trial.residual >= options.pairing_tolerance
 
-    def _update(self, attempt: _Attempt) -> None:
+    def _update(self, trial: Trial) -> None:
         """New contact elements, and the residual they leave."""
-        self.contact.pairing.keep_points = attempt.updates >= NEW_POINTS
-        self.contact.update(attempt.q)
-        self.proximal.damping = np.zeros_like(attempt.q)
-        self._measure(attempt)
+        self.contact.pairing.keep_points = trial.updates >= NEW_POINTS
+        self.contact.update(trial.q)
+        self.proximal.damping = np.zeros_like(trial.q)
+        self._measure(trial)
 
-    def _measure(self, attempt: _Attempt) -> None:
-        attempt.residual = self.newton.residual(attempt.q)
-        near = attempt.residual < FOLLOW_BELOW or attempt.slow > 0 or attempt.raised > 0
-        attempt.follows = near and not attempt.unfollowed
-        if not attempt.follows:
+    def _measure(self, trial: Trial) -> None:
+        trial.residual = self.newton.residual(trial.q)
+        near = trial.residual < FOLLOW_BELOW or trial.slow > 0 or trial.raised > 0
+        trial.follows = near and not trial.unfollowed
+        if not trial.follows:
             self.contact.freeze_sections()
             # Where sections that follow would leave the places that were just found for them, these count.
-            attempt.residual = self.newton.residual(attempt.q)
+            trial.residual = self.newton.residual(trial.q)
         # Of forces that are not there any more at the next state, residuals relative to the present ones tell nothing.
-        attempt.norm = self.newton.norm
+        trial.norm = self.newton.norm
 
-    def _raise_penalties(self, attempt: _Attempt, penetration: float) -> None:
+    def _raise_penalties(self, trial: Trial, penetration: float) -> None:
         """Makes zones stiffer that penetrate too deep; yarns will hardly move, so that sections may follow."""
-        attempt.raised = self.contact.adapt_stiffness(attempt.q, penetration, GROWTH)
-        if attempt.raised:
-            self._measure(attempt)
+        trial.raised = self.contact.adapt_stiffness(trial.q, penetration, GROWTH)
+        if trial.raised:
+            self._measure(trial)
 
-    def _improve(self, attempt: _Attempt, in_passing: bool) -> None:
+    def _improve(self, trial: Trial, in_passing: bool) -> None:
         """Equilibrium for the current contact elements."""
         contact, proximal, system = self.contact, self.proximal, self.newton.system
-        proximal.anchor = attempt.q
-        force = system.term_norms[system.terms.index(contact)] / np.sqrt(max(len(attempt.q) / 3, 1))
-        stiffness = force / contact.min_radius
-        loose = self.hold > FIRST_DAMPING * stiffness
-        damping = max(attempt.damping * stiffness, attempt.held * self.hold)
+        proximal.anchor = trial.q
+        damping = max(trial.damping * self._contact_stiffness(), trial.held * self.hold)
         proximal.damping = np.where(self.newton.directors, 0.0, damping)
         symmetric = contact.symmetric_tangent
         changed = symmetric != self.newton.symmetric
@@ -227,67 +216,31 @@ class Incrementer:
         if system.update_pattern() or self.newton.indefinite or changed:
             self.newton.renew()
         # More would be lost at the next update.
-        enough = FORCING * attempt.residual
-        found, result = self.newton.solve(attempt.q, enough, search=not loose)
-        attempt.count(result)
+        enough = FORCING * trial.residual
+        found, result = self.newton.solve(trial.q, enough, search=not trial.loose)
+        trial.count(result)
         LOGGER.debug(
             "update %d: residual %.1e before, %d iterations, %d solves, %s; sections %s, damping %.2g N/mm, "
             "%d penalties raised",
-            attempt.updates,
-            attempt.residual,
+            trial.updates,
+            trial.residual,
             result.iterations,
             result.linear_solves,
             result.reason,
-            "follow" if attempt.follows else "frozen",
+            "follow" if trial.follows else "frozen",
             damping,
-            attempt.raised,
+            trial.raised,
         )
-        attempt.held = (
-            CALMING * attempt.held if result.converged else max(HOLDING * attempt.held, 1.0)
-        )
-        if not result.converged and attempt.follows:
-            attempt.unfollowed = UNFOLLOWED
+        trial.hold(result.converged)
+        if not result.converged and trial.follows:
+            trial.unfollowed = UNFOLLOWED
             return
-        attempt.unfollowed = max(0, attempt.unfollowed - 1)
+        trial.unfollowed = max(0, trial.unfollowed - 1)
         lost = not result.converged and not result.exhausted
-        if lost and not loose:
-            raise attempt.failed(f"Newton: {result.reason} after {result.iterations} iterations")
-        attempt.exhausted += (lost or result.exhausted) and not in_passing
-        if attempt.exhausted > EXHAUSTED:
-            raise attempt.failed(f"Newton: no convergence in {result.iterations} iterations")
+        if lost and not trial.loose:
+            raise trial.failed(f"Newton: {result.reason} after {result.iterations} iterations")
+        trial.exhausted += (lost or result.exhausted) and not in_passing
+        if trial.exhausted > EXHAUSTED:
+            raise trial.failed(f"Newton: no convergence in {result.iterations} iterations")
         if not lost:
-            attempt.q = found
-
-
-@dataclass
-class _Attempt:
-    """An increment in the making."""
-
-    q: Floats
-    residual: float = np.inf
-    norm: float = np.inf
-    damping: float = 0.0
-    held: float = 0.0
-    slow: int = 0
-    follows: bool = False
-    unfollowed: int = 0
-    raised: int = 0
-    exhausted: int = 0
-    releases: int = 0
-    updates: int = 0
-    iterations: int = 0
-    solves: int = 0
-
-    def count(self, result: NewtonResult) -> None:
-        self.updates += 1
-        self.iterations += result.iterations
-        self.solves += result.linear_solves
-
-    def judge(self, slow: bool) -> None:
-        """Damps updates that do not approach each other."""
-        grown = min(max(2 * self.damping, FIRST_DAMPING), MOST_DAMPING)
-        self.damping = grown if slow else self.damping / 2
-        self.slow = self.slow + 1 if slow else 0
-
-    def failed(self, reason: str) -> Diverged:
-        return Diverged(reason, self.iterations, self.solves)
+            trial.q = found

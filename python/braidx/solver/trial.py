@@ -1,0 +1,82 @@
+"""What is known of an increment while its equilibrium is being found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..system.constraints import Floats
+from .newton import NewtonResult
+
+FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
+MOST_DAMPING = 1.0  # more would hide the residual rather than remove it
+CALMING = 0.5  # factor on the hold after a solve that converged
+HOLDING = 4.0  # and after one that did not
+
+
+class Diverged(Exception):
+    """An increment found no equilibrium; state and contact history are those of its start.
+
+    Attributes:
+        iterations, linear_solves: What the attempt cost.
+    """
+
+    def __init__(self, reason: str, iterations: int, linear_solves: int) -> None:
+        super().__init__(reason)
+        self.iterations, self.linear_solves = iterations, linear_solves
+
+
+@dataclass
+class Trial:
+    """An increment in the making.
+
+    Attributes:
+        q: Unknowns found so far, shape (num_unknowns,).
+        loose: Whether it starts from a rope that is held rather than searched for where Newton gets lost.
+        residual, norm: With the present contact elements, relative, and in N.
+        damping: Of updates that do not approach each other, over (contact force of a node / radius).
+        held: Factor on the hold.
+        slow: Updates in a row that did not approach each other.
+        follows: Whether sections follow the yarns in the next solve.
+        unfollowed: Updates with frozen sections that are left after following ones did not converge.
+        raised: Penalties raised by the last update.
+        exhausted: Times that Newton did not converge.
+        releases: Times that the stabilisation let go.
+        updates, iterations, solves: Done so far.
+    """
+
+    q: Floats
+    loose: bool
+    residual: float = np.inf
+    norm: float = np.inf
+    damping: float = 0.0
+    held: float = 0.0
+    slow: int = 0
+    follows: bool = False
+    unfollowed: int = 0
+    raised: int = 0
+    exhausted: int = 0
+    releases: int = 0
+    updates: int = 0
+    iterations: int = 0
+    solves: int = 0
+
+    def count(self, result: NewtonResult) -> None:
+        self.updates += 1
+        self.iterations += result.iterations
+        self.solves += result.linear_solves
+
+    def judge(self, slow: bool) -> None:
+        """Damps updates that do not approach each other."""
+        grown = min(max(2 * self.damping, FIRST_DAMPING), MOST_DAMPING)
+        self.damping = grown if slow else self.damping / 2
+        self.slow = self.slow + 1 if slow else 0
+
+    def hold(self, less: bool) -> None:
+        """Holds what is loose less, or more."""
+        if self.loose:
+            self.held = CALMING * self.held if less else max(HOLDING * self.held, 1.0)
+
+    def failed(self, reason: str) -> Diverged:
+        return Diverged(reason, self.iterations, self.solves)
