@@ -121,13 +121,13 @@ inline nb::dict contact_results(const OwnedSurfaces& surfaces, const ContactElem
         return {r.system.gap, r.normal_force, r.friction_force,
                 contact_position(surfaces, e, view(q))};
     });
-    const auto scalar = [&](double Result::*member) {
+    const auto scalar = [&](double Result::* member) {
         return make_array<double>({n}, [&](double* p) {
             for (const auto& result : results)
                 *p++ = result.*member;
         });
     };
-    const auto vector = [&](Vec3 Result::*member) {
+    const auto vector = [&](Vec3 Result::* member) {
         return make_array<double>({n, 3}, [&](double* p) {
             for (std::size_t i = 0; i < n; ++i)
                 Eigen::Map<Vec3>(p + 3 * i) = results[i].*member;

@@ -13,10 +13,9 @@ constexpr double bulge = 0.34;
 } // namespace
 
 CurrentSkin::CurrentSkin(const Skin& skin, Unknowns q, double reach)
-    : skin_(&skin), q_(q), reach_(reach),
-      nodal_(nodal_normals(skin, q)), box_{Vec3::Constant(std::numeric_limits<double>::infinity()),
-                                           Vec3::Constant(
-                                               -std::numeric_limits<double>::infinity())} {
+    : skin_(&skin), q_(q), reach_(reach), nodal_(nodal_normals(skin, q)),
+      box_{Vec3::Constant(std::numeric_limits<double>::infinity()),
+           Vec3::Constant(-std::numeric_limits<double>::infinity())} {
     double size = 0;
     for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet) {
         boxes_.push_back(box_of(facet));

@@ -24,7 +24,8 @@ struct Skin {
     double offset = 0;
     std::vector<double> area; ///< rest area that each contact point stands for, mm^2
     /// Of each flat facet, nodes x nodes: its form in the weights of a place is how far the smooth
-    /// surface through the nodes is above the facet at rest, mm. Empty where facets are taken as they are, and of degree 2.
+    /// surface through the nodes is above the facet at rest, mm. Empty where facets are taken as
+    /// they are, and of degree 2.
     std::vector<double> bulge;
     /// Nodes of facets that share a normal: those at one place that lie smoothly side by side.
     std::vector<std::int32_t> normal_of;
@@ -62,10 +63,10 @@ bool is_on_rim(const Skin& skin, const FacetPoint& at);
 FacetPoint contact_point(const Skin& skin, std::int64_t number);
 
 /// A skin whose contact areas, and sharp edges, are those of the positions `rest`. Facets that meet
-/// at less than 50 degrees are smooth there; flat ones stand for a smooth surface if it is `smooth`.
+/// at less than 50 degrees are smooth there; flat ones stand for a smooth surface if it is
+/// `smooth`.
 Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
-               int group, Unknowns rest, bool dense = false, bool smooth = true,
-               double offset = 0);
+               int group, Unknowns rest, bool dense = false, bool smooth = true, double offset = 0);
 
 /// The facet of a place, and those that a particle may move onto when its coordinates change by up
 /// to `reach`.
