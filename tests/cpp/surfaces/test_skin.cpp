@@ -99,9 +99,8 @@ TEST_CASE("normals point out of the solid, and are continuous across smooth edge
 }
 
 TEST_CASE("flat facets stand for the smooth surface through their nodes", "[skin]") {
-    const auto height = [](const Skin& skin, Unknowns q, const FacetPoint& at) {
-        return rise(skin, q, nodal_normals(skin, q), at.facet,
-                    facet_weights(skin.kind, at.u, at.v));
+    const auto height = [](const Skin& skin, const FacetPoint& at) {
+        return rise(skin, at.facet, facet_weights(skin.kind, at.u, at.v));
     };
     for (const auto kind : {FacetKind::triangle3, FacetKind::square4}) {
         Rods rods;
