@@ -122,13 +122,17 @@ TEST_CASE("coarse facets meet at the distance of the smooth surfaces", "[skin_pa
     const Vec3 centre[] = {{0, 0, 0}, {4.05, 0.3, 0}};
     add_cylinder(rods, FacetKind::square4, {12, 3}, centre[0], 2, 3);
     add_cylinder(rods, FacetKind::square4, {10, 3}, centre[1], 2, 3);
+    // What the parabola over the middle of a facet misses the circle of radius 2 by.
+    const auto missed = [](int facets) {
+        return std::pow(1 - std::cos(std::numbers::pi / facets), 2);
+    };
     const double angle = 11 * std::numbers::pi / 12; // the middle of a facet
     const Vec3 beside(2.55 * std::cos(angle), 2.55 * std::sin(angle), 0);
     rods.add_straight(cable, 6, 0.5, beside, beside + 3 * Vec3::UnitZ());
     int points = 0, stations = 0;
     for (const auto& e : pair_up(rods)) {
         if (e.facet_a < 0) {
-            CHECK(std::abs(gap(rods, e) - 0.05) < 1e-3);
+            CHECK(std::abs(gap(rods, e) - missed(12) - 0.05) < 1e-5);
             ++stations;
             continue;
         }
@@ -140,10 +144,12 @@ TEST_CASE("coarse facets meet at the distance of the smooth surfaces", "[skin_pa
         out[2] = 0;
         const Vec3 smooth = centre[of_a] + 2 * out.normalized() - centre[1 - of_a];
         const double exact = smooth.head<2>().norm() - 2;
-        CHECK(std::abs(gap(rods, e) - exact) < 0.03 * exact + 1e-3);
+        if (exact > 0.3) // seen at an angle from a facet that is about as long
+            continue;
+        CHECK(std::abs(gap(rods, e) - exact) < missed(12) + missed(10));
         ++points;
     }
-    CHECK((points > 20 && stations > 2));
+    CHECK((points > 15 && stations > 2));
 }
 
 TEST_CASE("a tube on a sheet touches below its centre line", "[skin_pairing]") {

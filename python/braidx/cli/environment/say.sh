@@ -41,7 +41,7 @@ step() {
 
 # The last line of a log that tells what mmdebstrap, apt or Ninja is doing.
 phase() {
-    tr '\r' '\n' <"$1" | grep -E '^(I: |Get:|Unpacking|Setting up|\[[0-9]+/)' | tail -n 1 | cut -c 1-70 || true
+    tr '\r' '\n' <"$1" | grep -a -E '^(I: |Get:|Unpacking|Setting up|\[[0-9]+/)' | tail -n 1 | cut -c 1-70 || true
 }
 
 # lock FILE REASON: one launcher at a time; unlock lets the next one in (as does the end of this one).
