@@ -82,6 +82,7 @@ class Incrementer:
         hold: Damping, N/mm per node, where Newton gets lost in a rope so loose that contact forces are no match for it:
             it holds what would else fly about while contacts are being found, which no line search mends. It vanishes
             with the updates that follow, and does not act on the equilibrium. 0: none.
+        conservative: Whether all forces but friction come from a potential, as couples do not.
     """
 
     def __init__(
@@ -90,9 +91,10 @@ class Incrementer:
         contact: Contact,
         proximal: ProximalTerm,
         hold: float = 0.0,
+        conservative: bool = True,
     ) -> None:
         self.newton, self.contact, self.proximal = newton, contact, proximal
-        self.hold = hold
+        self.hold, self.conservative = hold, conservative
 
     def solve(
         self, start: Floats, guess: Floats, options: IncrementOptions, stiffening: float = 1.0
@@ -210,7 +212,7 @@ class Incrementer:
         proximal.anchor = trial.q
         damping = max(trial.damping * self._contact_stiffness(), trial.held * self.hold)
         proximal.damping = np.where(self.newton.directors, 0.0, damping)
-        symmetric = contact.symmetric_tangent
+        symmetric = contact.symmetric_tangent and self.conservative
         changed = symmetric != self.newton.symmetric
         self.newton.symmetric = symmetric
         if system.update_pattern() or self.newton.indefinite or changed:

@@ -17,7 +17,7 @@ PREFIX = "braidx_"  # of PETSc's options
 NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
 INDEFINITE = "the tangent is not positive definite"
 LINE_SEARCH = "snes_linesearch_type"
-VAIN = 3  # full steps in a row, none of which comes nearer than the best before, after which steps are searched for
+VAIN = 3  # see NewtonOptions
 PATIENT = 5  # the same where no search follows
 
 
@@ -34,6 +34,7 @@ class NewtonOptions:
         petsc: PETSc options passed through, without leading dash.
         least_force: Force scale that counts at least, N: where nothing is strained yet, nothing but round-off is left
             to measure a residual against.
+        vain: Full steps in a row, none of which comes nearer than the best before, after which steps are searched for.
         lagged: Whether factors of earlier tangents may serve where the tangent is not symmetric (solver/lagged.py).
     """
 
@@ -44,6 +45,7 @@ class NewtonOptions:
     symmetric: bool = True
     petsc: Mapping[str, object] | None = None
     least_force: float = 0.0
+    vain: int = VAIN
     lagged: bool = False
 
 
@@ -175,7 +177,9 @@ class Newton:
         start, tried = self.system.free_values(q), None
         if self.bold and self._full is not None:
             self.system.scatter(start, self.system.vector)
-            result = tried = self._run(self._full, most_in_vain=VAIN if search else PATIENT)
+            result = tried = self._run(
+                self._full, most_in_vain=self.options.vain if search else PATIENT
+            )
         if tried is None or (search and not (tried.converged or tried.exhausted)):
             if tried is not None and tried.reason == INDEFINITE:
                 self.renew(indefinite=True)

@@ -1,0 +1,33 @@
+"""How rods touch, unless told otherwise."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from mpi4py import MPI
+
+from ..contact.contact import Contact
+from ..contact.tubes import TubeLayout
+
+REGULARISATION = 1e-4  # of the radius: gap over which the normal force sets in
+REVERSIBLE_SLIP = 1e-3  # of the radius
+
+
+def make_contact(
+    comm: MPI.Comm,
+    tubes: TubeLayout,
+    each_other: bool,
+    self_contact: float | None,
+    spacing: float | None,
+) -> Contact:
+    """Contact of tubes; see Rods for the arguments. Its tangent is the consistent one."""
+    if not each_other:
+        tubes = replace(tubes, group=0 * tubes.num_elements)
+    contact = Contact(comm, tubes, smooth=True, symmetric=False)
+    contact.pairing.spacing = spacing or float(tubes.element_length.min()) / 2.0
+    contact.pairing.search.margin = contact.min_radius / 2.0
+    contact.pairing.search.self_exclusion = np.inf if self_contact is None else self_contact
+    contact.laws.regularisation = REGULARISATION * contact.min_radius
+    contact.laws.reversible_slip = REVERSIBLE_SLIP * contact.min_radius
+    return contact

@@ -1,0 +1,280 @@
+"""A scene of rods: what touches, what is held, what pulls, and the equilibria that follow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from mpi4py import MPI
+
+from ..solver.increment import Increment, IncrementOptions
+from ..solver.newton import NewtonOptions
+from ..system.proximal import ProximalTerm
+from ..system.terms import Floats
+from .contact import make_contact
+from .equilibria import Equilibria
+from .inertia import InertiaTerm, Scheme
+from .layout import lay_out
+from .loads import Loads
+from .path import NotConverged, follow
+from .rod import Rod
+from .state import ALL, RodState
+from .supports import Motion, Supports
+
+# Rods that hardly stretch: a step that bends them stretches them, too, and the next ones take that back.
+VAIN = 20
+Nodes = int | slice | Sequence[int]
+
+
+class Rods(RodState):
+    """Rods in contact with each other, with themselves and with rigid surfaces.
+
+    Rods and their nodes go by number, nodes from the end by negative ones. What is held, pulled or moved between two
+    calls of `solve` or `run` is applied in the course of the next one.
+
+    Args:
+        rods: Cables and beams, at rest.
+        friction: Coefficient of friction.
+        penalty: Per length of contact, N/mm per mm, to begin with; from the softest rod by default.
+        penetration: Largest penetration over the radius of the thinnest rod, which penalties grow for. None: they stay.
+        contact: Whether rods touch each other.
+        self_contact: Distance along a rod, in radii, from which on it may touch itself. None: never.
+        rigid: Rigid surfaces, from braidx_engine.make_plane, make_cylinder or make_sheave.
+        spacing: Of places where contact is looked for, mm; half the shortest element by default.
+        tolerance: Relative residual of an equilibrium.
+        viscosity: Of a stabilisation of positions, N/mm per node; its work is reported with each increment.
+        max_step: Largest change of a position in an iteration, mm; the size of the longest rod by default, the smallest
+            radius where something may touch.
+        comm: Processes that share the work.
+
+    Attributes:
+        q: Unknowns now, shape (num_unknowns,).
+        layout: Where each rod is among them.
+        contact: Contact elements, laws and how they are made, for what has no argument here.
+        supports, loads: What holds and what pulls.
+        time: Of the last one, s.
+        friction_work: Dissipated until now, mJ.
+    """
+
+    def __init__(
+        self,
+        rods: Sequence[Rod],
+        *,
+        friction: float = 0.0,
+        penalty: float | None = None,
+        penetration: float | None = 0.01,
+        contact: bool = True,
+        self_contact: float | None = None,
+        rigid: Sequence[Any] = (),
+        spacing: float | None = None,
+        tolerance: float = 1e-8,
+        viscosity: float = 0.0,
+        max_step: float | None = None,
+        comm: MPI.Comm = MPI.COMM_WORLD,
+    ) -> None:
+        self.comm, self.rods = comm, list(rods)
+        self.layout = lay_out(comm, rods)
+        self.q = self.layout.rest.copy()
+        self.supports = Supports(self.layout.rest)
+        self.loads = Loads(self.layout)
+        self.contact = make_contact(comm, self.layout.tubes, contact, self_contact, spacing)
+        self.contact.rigid = list(rigid)
+        self.contact.laws.friction = [friction]
+        self.contact.pairing.stiffness = penalty or min(rod.stiffness_across for rod in rods)
+        self.proximal = ProximalTerm(self.q.size, comm.rank)
+        self.proximal.viscosity[:] = np.where(self.layout.is_director, 0.0, viscosity)
+        self.time = self.friction_work = 0.0
+        self._inertia: InertiaTerm | None = None
+        radius = self.contact.min_radius
+        touching = (contact and len(rods) > 1) or self_contact is not None or len(rigid) > 0
+        size = max(float(np.ptp(rod.line, axis=0).max()) for rod in rods)
+        newton = NewtonOptions(
+            tolerance,
+            max_iterations=60,
+            max_step=max_step or (radius if touching else size),
+            symmetric=False,
+            least_force=self.layout.round_off / tolerance,
+            vain=VAIN,
+            max_turn=1.0,
+        )
+        options = IncrementOptions(
+            pairing_tolerance=10 * tolerance,
+            penetration=None if penetration is None else penetration * radius,
+        )
+        self._equilibria = Equilibria(
+            comm,
+            self.layout,
+            self.contact,
+            self.proximal,
+            self.supports,
+            self.loads,
+            newton,
+            options,
+        )
+
+    # What is held and moved
+
+    def hold(self, rod: int, nodes: Nodes = ALL, components: Any = ALL) -> None:
+        """Components of nodes stay where they are: 0 to 2 the position, 3 to 5 and 6 to 8 the directors."""
+        self.supports.hold(self.layout.unknowns(rod, nodes)[:, components].ravel(), self.q)
+
+    def pin(self, rod: int, nodes: Nodes) -> None:
+        """Positions stay where they are; sections may turn."""
+        self.hold(rod, nodes, slice(0, 3))
+
+    def clamp(self, rod: int, nodes: Nodes) -> None:
+        """Positions and sections stay as they are."""
+        self.hold(rod, nodes)
+
+    def release(self, rod: int, nodes: Nodes, components: Any = ALL) -> None:
+        """What was held is free from now on."""
+        self.supports.release(self.layout.unknowns(rod, nodes)[:, components].ravel())
+
+    def hold_mean(self, places: Sequence[tuple[int, int]]) -> int:
+        """The mean position of nodes, given as (rod, node), stays where it is; returns the number of the group."""
+        positions = [self.layout.unknowns(rod, node)[0, :3] for rod, node in places]
+        return self.supports.hold_mean(np.array(positions), self.q)
+
+    def move(
+        self,
+        rod: int,
+        nodes: Nodes,
+        by: npt.ArrayLike = (0.0, 0.0, 0.0),
+        turn: npt.ArrayLike = (0.0, 0.0, 0.0),
+        about: npt.ArrayLike | None = None,
+    ) -> None:
+        """Held nodes are turned by a rotation vector (radians) about a point or each about itself, then moved, mm."""
+        unknowns = self.layout.unknowns(rod, nodes)
+        centre = None if about is None else np.asarray(about, dtype=float)
+        self.supports.move(
+            Motion(unknowns, np.asarray(turn, dtype=float), centre, np.asarray(by, dtype=float))
+        )
+
+    def move_mean(self, group: int, by: npt.ArrayLike) -> None:
+        """The mean position of a group moves, mm."""
+        self.supports.shift_mean(group, np.asarray(by, dtype=float))
+
+    # What pulls
+
+    def force(self, rod: int, nodes: Nodes, force: npt.ArrayLike) -> None:
+        """Dead force on each of the nodes from the next equilibria on, N; it replaces the one before."""
+        self.loads.force(self.layout.unknowns(rod, nodes), np.asarray(force, dtype=float))
+
+    def line_load(self, rod: int, load: npt.ArrayLike) -> None:
+        """Dead load per length at rest along a rod, N/mm, shape (3,); it replaces the one before."""
+        self.loads.line(self.layout.unknowns(rod, ALL), np.asarray(load, dtype=float))
+
+    def couple(self, rod: int, node: int, couple: npt.ArrayLike) -> None:
+        """Couple on the section of a beam, its direction fixed in space, N mm; it replaces the one before.
+
+        Raises:
+            ValueError: If the rod is a cable, which has no sections.
+        """
+        self.loads.couple(self.layout.unknowns(rod, node), np.asarray(couple, dtype=float), rod)
+
+    # Equilibria
+
+    def solve(
+        self,
+        increments: int = 1,
+        *,
+        max_cuts: int = 8,
+        guess: Floats | None = None,
+        observe: Callable[[float], None] = lambda share: None,
+    ) -> list[Increment]:
+        """Equilibria on the way to what is asked for, in equal increments unless these have to be cut.
+
+        Args:
+            increments: Their number.
+            max_cuts: How often an increment may be halved.
+            guess: First guess of the state at the end, shape (num_unknowns,), where one is better than the way so far.
+            observe: Called after each increment with the share of the way that is done.
+        Raises:
+            NotConverged: If no equilibrium is found; the state is the last one that was, motions and loads stay there.
+        """
+        self._inertia = None
+        self._equilibria.prepare()
+
+        def step(begin: float, end: float, before: Floats) -> Increment:
+            first = self.q + before
+            if guess is not None:
+                first = self.q + (guess - self.q) * (end - begin) / (1.0 - begin)
+            return self._equilibria.find(self.q, first, end)
+
+        return self._follow(step, increments, max_cuts, observe)
+
+    def run(
+        self,
+        duration: float,
+        step: float,
+        *,
+        scheme: Scheme | None = None,
+        velocity: Floats | None = None,
+        max_cuts: int = 8,
+        observe: Callable[[float], None] = lambda share: None,
+    ) -> list[Increment]:
+        """Motion through time, implicitly; motions and loads go on evenly and are complete at its end.
+
+        Args:
+            duration, step: Seconds.
+            scheme: Of the steps, generalised alpha by default.
+            velocity: At the begin, shape (num_unknowns,), mm/s; that of the end of the last run by default, or none.
+            observe: Called after each step with the share of the duration that is done.
+        Raises:
+            ValueError: If a rod has no density.
+            NotConverged: As in `solve`.
+        """
+        for number, rod in enumerate(self.rods):
+            if not rod.density > 0.0:
+                raise ValueError(
+                    f"density of rod {number} is {rod.density} t/mm^3: motion needs a positive one"
+                )
+        last, inertia = self._inertia, InertiaTerm(
+            self.layout.mass, scheme or Scheme.generalised_alpha(), self.comm.rank
+        )
+        if last is not None:
+            inertia.velocity, inertia.acceleration = last.velocity, last.acceleration
+            inertia.forces = last.forces
+        if velocity is not None:
+            inertia.velocity = np.asarray(velocity, dtype=float).ravel()
+        self._inertia = inertia
+        self._equilibria.prepare(inertia)
+        if last is None:
+            self._equilibria.start_moving(self.q)
+
+        def move(begin: float, end: float, before: Floats) -> Increment:
+            inertia.begin(self.q, (end - begin) * duration)
+            increment = self._equilibria.find(self.q, inertia.predicted(), end)
+            inertia.end(increment.q, self._equilibria.forces(increment.q))
+            self.time += (end - begin) * duration
+            return increment
+
+        return self._follow(move, max(1, round(duration / step)), max_cuts, observe)
+
+    def _follow(
+        self,
+        step: Callable[[float, float, Floats], Increment],
+        increments: int,
+        max_cuts: int,
+        observe: Callable[[float], None],
+    ) -> list[Increment]:
+        done = 0.0
+
+        def accept(increment: Increment, share: float) -> None:
+            nonlocal done
+            self.q, done = increment.q, share
+            self.friction_work += increment.friction_work
+            observe(share)
+
+        try:
+            found = follow(step, self.q, increments, max_cuts, accept)
+        except NotConverged:
+            self.supports.held, self.supports.means = self.supports.advanced(done)
+            self.supports.drop()
+            self.loads.finish(done)
+            raise
+        self.supports.finish()
+        self.loads.finish(1.0)
+        return found

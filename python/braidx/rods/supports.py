@@ -1,0 +1,130 @@
+"""Supports of rods: unknowns that are held, means that are held, and how both are moved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ..system.constraints import ConstraintMap, Constraints
+from ..system.terms import Floats, Ints
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A rigid motion of held nodes: turned about a point, then moved.
+
+    Attributes:
+        unknowns: Of the nodes, position first, then directors, shape (n, block).
+        turn: Rotation vector, radians.
+        about: Centre of the turn, mm; None: each node about itself.
+        by: Displacement, mm.
+    """
+
+    unknowns: Ints
+    turn: Floats
+    about: Floats | None
+    by: Floats
+
+    def apply(self, values: Floats, share: float) -> None:
+        """Moves `values`, shape (num_unknowns,), by a share of the motion."""
+        turn = Rotation.from_rotvec(share * self.turn)
+        positions = values[self.unknowns[:, :3]]
+        if self.about is not None:
+            positions = self.about + turn.apply(positions - self.about)
+        values[self.unknowns[:, :3]] = positions + share * self.by
+        for first in range(3, self.unknowns.shape[1], 3):
+            director = self.unknowns[:, first : first + 3]
+            values[director] = turn.apply(values[director])
+
+
+class Supports:
+    """What is held, and where.
+
+    Attributes:
+        held: Values that held unknowns have now, shape (num_unknowns,).
+        means: Values that held means have now, mm, one array of shape (3,) per group.
+    """
+
+    def __init__(self, rest: Floats) -> None:
+        self.held = rest.copy()
+        self.means: list[Floats] = []
+        self._is_held = np.zeros(rest.size, dtype=bool)
+        self._groups: list[Ints] = []
+        self._motions: list[Motion] = []
+        self._shifts: list[tuple[int, Floats]] = []
+
+    def hold(self, unknowns: Ints, q: Floats) -> None:
+        """Unknowns stay where they are in the state q."""
+        fresh = np.unique(unknowns)[~self._is_held[np.unique(unknowns)]]
+        self.held[fresh] = q[fresh]
+        self._is_held[fresh] = True
+
+    def release(self, unknowns: Ints) -> None:
+        """Unknowns are free again."""
+        self._is_held[unknowns] = False
+
+    def hold_mean(self, positions: Ints, q: Floats) -> int:
+        """The mean position of nodes, shape (n, 3), stays where it is; number of the group."""
+        self._groups.append(positions)
+        self.means.append(q[positions].mean(axis=0))
+        return len(self._groups) - 1
+
+    def move(self, motion: Motion) -> None:
+        """Nodes take part in a motion while the next equilibria are found.
+
+        Raises:
+            ValueError: If one of their unknowns is not held and the motion would be lost on it.
+        """
+        moved = motion.unknowns[:, :3] if not motion.turn.any() else motion.unknowns
+        loose = ~self._is_held[moved]
+        needed = np.broadcast_to(motion.by != 0.0, (len(moved), 3))
+        if motion.turn.any():
+            needed = np.ones(moved.shape, dtype=bool)
+            if motion.about is None:
+                needed[:, :3] = motion.by != 0.0
+        if np.any(loose & needed):
+            raise ValueError(
+                "a node that is moved or turned is free to go elsewhere: clamp it, or hold the components that move"
+            )
+        self._motions.append(motion)
+
+    def shift_mean(self, group: int, by: Floats) -> None:
+        """The mean position of a group moves while the next equilibria are found, mm."""
+        self._shifts.append((group, by))
+
+    def advanced(self, share: float) -> tuple[Floats, list[Floats]]:
+        """Held values and means after a share of the motions that are left."""
+        held, means = self.held.copy(), [mean.copy() for mean in self.means]
+        for motion in self._motions:
+            motion.apply(held, share)
+        for group, by in self._shifts:
+            means[group] += share * by
+        return held, means
+
+    def finish(self) -> None:
+        """All motions are done."""
+        self.held, self.means = self.advanced(1.0)
+        self.drop()
+
+    def drop(self) -> None:
+        """What is left of motions is not done."""
+        self._motions.clear()
+        self._shifts.clear()
+
+    def constraints(self) -> ConstraintMap:
+        """What the supports leave free."""
+        constraints = Constraints(self.held.size)
+        constraints.hold(np.flatnonzero(self._is_held))
+        for group in self._groups:
+            for component in group.T:
+                constraints.hold_mean(component)
+        return constraints.resolve()
+
+    def values(self, held: Floats, means: list[Floats]) -> Floats:
+        """Inhomogeneous values of the constraints, shape (num_unknowns,)."""
+        values = np.where(self._is_held, held, 0.0)
+        for group, mean in zip(self._groups, means, strict=True):
+            values[group[-1]] = len(group) * mean
+        return values
