@@ -107,13 +107,20 @@ def increment_line(row: HistoryRow) -> str:
     parts = [f"{row.step} {row.increment:4d}"]
     if row.rope_strain is not None:
         parts.append(f"strain {100 * row.rope_strain:.3f} %")
+    if row.travel is not None:
+        parts.append(f"travel {row.travel:.2f} mm")
     if row.force is not None:
-        parts.append(f"force {row.force:.2f} kN")
+        parts.append(f"force {in_newtons(1e3 * row.force)}")
     parts.append(f"Newton {row.newton_iterations:2d}")
     parts.append(f"contact elements {row.contact_elements}")
     parts.append(f"penetration {100 * row.penetration_over_radius:.2f} % of radius")
     parts.append(f"{row.seconds:.1f} s")
     return " | ".join(parts)
+
+
+def in_newtons(force: float) -> str:
+    """`31.20 kN`, and below one of them `312.0 N`."""
+    return f"{1e-3 * force:.2f} kN" if abs(force) >= 1e3 else f"{force:.1f} N"
 
 
 def describe(fraction: float, seconds: float | None) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -78,6 +79,8 @@ def test_texts() -> None:
     line = increment_line(row(12, "pull", 0.006))
     assert "strain 0.600 %" in line and "force 12.35 kN" in line and "1.23 % of radius" in line
     assert "strain" not in increment_line(row(12, "form"))
+    bent = increment_line(replace(row(12, "bend"), travel=12.5, force=0.0504))
+    assert "travel 12.50 mm | force 50.4 N" in bent
     assert describe(0.5, 300.0) == "50 % done, about 5 min left"
     table = phase_table({"form": PhaseCost(3.0, 10, 30, 31), "pull": PhaseCost(9.0, 5, 20, 22)})
     for word in ("form", "75", "all", "12.0", "50", "53"):
