@@ -1,0 +1,119 @@
+"""docs/verification.md and its images, of what the cases stated."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from record import Records, Row
+
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt  # noqa: E402  (the way to draw comes first)
+
+ROUND_OFF = 1e-16  # what is drawn of errors below it, as there is no logarithm of 0
+TITLES = {
+    "yarn": "Yarns",
+    "contact": "Contact and friction",
+    "strands": "Strands and braids",
+    "solids": "Solids",
+}
+HEAD = """\
+# Verification
+
+Problems with known solutions, and what braidx makes of them. This page and its images are written by
+`./braidx test --verification` from what the tests in `tests/verification/` state, whenever all of them have run and
+passed; nothing here is written by hand. Each value is checked against the tolerance beside it. Errors are over the
+expected value, or over the size of the whole (a length, a load) where that is 0. Of values that are compared all at
+once the worst is shown. Seconds are those of one core of the machine that wrote the page.
+"""
+COLUMNS = "| case | what | expected | computed | error | tolerance | order | unknowns | s |"
+
+
+def write(records: Records, docs: Path) -> None:
+    """Writes the page and one image per family."""
+    parts = [HEAD]
+    for family, title in TITLES.items():
+        rows = sorted(records.rows.get(family, []), key=_place)
+        if rows:
+            image = docs / "images" / f"verification_{family}.png"
+            draw(rows, image)
+            parts.append(f"## {title}\n\n![Errors and tolerances](images/{image.name})\n")
+            parts.append("\n".join([COLUMNS, "|---" * 9 + "|", *map(line, rows)]) + "\n")
+            parts += [f"{row.case}, {row.what}: {row.missed}\n" for row in rows if row.missed]
+    (docs / "verification.md").write_text("\n".join(parts), "utf-8")
+
+
+def line(row: Row) -> str:
+    """A line of the table."""
+    of_many = f" (worst of {row.count})" if row.count > 1 else ""
+    convergence = bool(row.meshes)
+    cells = [
+        row.case,
+        row.what + of_many,
+        "" if convergence else f"{row.expected:.7g}",
+        "" if convergence else f"{row.computed:.7g}",
+        f"{row.error:.1e}",
+        f"{row.tolerance:.0e}" if np.isfinite(row.tolerance) else "",
+        "" if row.order is None else f"{row.order:.2f}",
+        str(row.unknowns or ""),
+        f"{row.seconds:.2f}",
+    ]
+    if row.missed:
+        cells[5] += " **missed**"
+    return "| " + " | ".join(cells) + " |"
+
+
+def draw(rows: list[Row], path: Path) -> None:
+    """Errors beside their tolerances, and over the number of elements where there are several; 800 px wide."""
+    judged = [row for row in rows if np.isfinite(row.tolerance) and not row.meshes]
+    series = [row for row in rows if row.meshes]
+    heights = [0.23 * len(judged) + 0.9] + [3.4] * bool(series)
+    figure, axes = plt.subplots(
+        len(heights),
+        figsize=(8.0, sum(heights)),
+        dpi=100,
+        squeeze=False,
+        height_ratios=heights,
+        layout="constrained",
+    )
+    _bars(axes[0, 0], judged)
+    if series:
+        _convergence(axes[1, 0], series)
+    figure.savefig(path)
+    plt.close(figure)
+
+
+def _bars(axes: plt.Axes, rows: list[Row]) -> None:
+    places = np.arange(len(rows))
+    errors = np.maximum([row.error for row in rows], ROUND_OFF)
+    tolerances = [row.tolerance for row in rows]
+    axes.barh(places, errors, left=0.1 * ROUND_OFF, color="#4477aa", height=0.6, label="error")
+    axes.plot(tolerances, places, "|", color="#cc3311", ms=11, mew=2.5, label="tolerance")
+    axes.set_yticks(places, [_short(row) for row in rows], fontsize=8)
+    axes.set(xscale="log", xlim=(0.3 * ROUND_OFF, 1.0), ylim=(len(rows) - 0.4, -0.6))
+    axes.set_xlabel("error, -")
+    axes.grid(axis="x", alpha=0.3)
+    axes.legend(loc="upper left", fontsize=8)
+
+
+def _convergence(axes: plt.Axes, rows: list[Row]) -> None:
+    for row, marker in zip(rows, "os^vDPX*<>" * 3, strict=False):
+        number, error = np.array(row.meshes).T
+        label = f"{_short(row)}: order {row.order:.1f}"
+        axes.loglog(number, error, marker + "-", label=label)
+    axes.set(xlabel="elements, or steps of time", ylabel="error, -")
+    axes.grid(which="both", alpha=0.3)
+    axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+
+def _short(row: Row) -> str:
+    text = f"{row.case} {row.what}"
+    return text if len(text) <= 52 else text[:50] + " .."
+
+
+def _place(row: Row) -> tuple[str, int]:
+    """Cases by letter and number."""
+    letter, number = re.fullmatch(r"([A-Z])(\d+).*", row.case).groups()
+    return "VCR".find(letter), int(number)
