@@ -103,6 +103,23 @@ TEST_CASE("points see no surface from behind, beside or beyond the margin", "[sk
     }
 }
 
+TEST_CASE("points just inside of a wall do not see the far one", "[skin_pairing]") {
+    Rods rods;
+    add_cylinder(rods, FacetKind::square4, {8, 3}, {0, 0, 0}, 1, 3);
+    rods.add_straight(cable, 1, 1.0, {9, 0, 0}, {9, 0, 3}); // places on skins matter up to 1.5 away
+    const auto at = [](double degrees, double radius) -> Vec3 {
+        const double angle = degrees * std::numbers::pi / 180;
+        return {radius * std::cos(angle), radius * std::sin(angle), 1.5};
+    };
+    // Its normal is nearly square to that of the wall that it is behind, and opposite to one
+    // beyond.
+    const Vec3 size = 0.02 * at(118.2 - 90, 1) - Vec3(0, 0, 0.03);
+    add_rectangle(rods, FacetKind::square4, {1, 1}, at(22.5, 0.85), {0, 0, 0.02}, size);
+    const Vec3 normal = Vec3::UnitZ().cross(size);
+    CHECK(normal.dot(at(118.2, 1)) > 0);
+    CHECK(pair_up(rods).empty());
+}
+
 TEST_CASE("concentric cylinders meet all around", "[skin_pairing]") {
     Rods rods;
     add_cylinder(rods, FacetKind::square9, {24, 3}, {0, 0, 0}, 2, 3);
