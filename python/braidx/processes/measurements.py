@@ -39,6 +39,7 @@ STATE_RESULTS = {
     "relative_displacement_max": "mm",
     "crossing_points": "count",
     "yarn_sheave_force_max": "N",
+    "sheave_angle": "degrees",
     "core_pressure_max": "MPa",
     "von_mises_max": "MPa",
     "end_force": "N",

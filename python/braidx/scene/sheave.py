@@ -28,8 +28,8 @@ class Sheave(Table):
     )
     motion: str = option(
         "fixed",
-        choices=("fixed", "driven"),
-        doc="Fixed: it does not turn. Driven: by driven_angle.",
+        choices=("fixed", "free", "driven"),
+        doc="Fixed: it does not turn. Free: it turns as friction takes it along. Driven: by driven_angle.",
     )
     driven_angle: float = option(
         0.0,

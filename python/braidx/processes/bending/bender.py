@@ -9,7 +9,9 @@ from ...system.constraints import Floats
 from ..attempt import Attempt, attempt
 from ..outcome import NotConverged
 from ..state import State
+from .bearing import BALANCED, balanced, friction_moment
 from .model import BentRope
+from .sheave import AXIS
 
 # Of the stabilisation that straight ropes get: a rope that bends is held by its stiffness, and goes far.
 CALM = 1e-3
@@ -31,6 +33,8 @@ class Bender:
         self.travel = state.progress.get("travel", 0.0)
         self.pretension = state.progress.get("pretension", 0.0)
         self._moved = state.progress.get("moved", 0.0)
+        self._turn = 0.0  # of the sheave in the last increment, radians
+        self._first = state.q
         scene = model.scene
         self._options = IncrementOptions(
             pairing_tolerance=PAIRED,
@@ -57,11 +61,41 @@ class Bender:
         model, system, solver = self.model, self.model.system, self.model.scene.solver
         factor = CALM * 4.0**cuts
         model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
-        turned = model.sheave.turn(model.scene, step)
-        model.contact.rigid = [model.sheave.surface(turned)]
         model.move(self.travel + step, self.pretension)
-        first = system.expand(system.free_values(self._predict(step)))
-        return model.incrementer.solve(self.state.q, first, self._options)
+        self._first = system.expand(system.free_values(self._predict(step)))
+        if model.scene.sheave.motion != "free":
+            return self._turned(model.sheave.turn(model.scene, step))
+        return self._balanced(step)
+
+    def _turned(self, angle: float) -> Increment:
+        """The increment while the sheave turns by an angle (radians)."""
+        self._turn = angle
+        self.model.contact.rigid = [self.model.sheave.surface(angle)]
+        return self.model.incrementer.solve(self.state.q, self._first, self._options)
+
+    def _balanced(self, step: float) -> Increment:
+        """The increment while the sheave turns as friction takes it along."""
+        contact, sheave = self.model.contact, self.model.sheave
+        before = contact.elements.copy()
+
+        def solve(angle: float) -> Increment:
+            contact.restore(before.copy())
+            increment = self._turned(angle)
+            self._first = increment.q  # near the next one
+            return increment
+
+        def moment(increment: Increment) -> tuple[float, float]:
+            value, scale = friction_moment(contact, increment.q, sheave.centre, AXIS)
+            left = PAIRED * self.model.system.force_scale * sheave.radius  # by an equilibrium
+            return value, max(BALANCED * scale, left)
+
+        rate = self.state.progress.get("sheave_turn", 0.0) / self._moved if self._moved else 0.0
+        elastic = contact.laws.reversible_slip / sheave.radius
+        try:
+            return balanced(solve, moment, rate * step, elastic)[0]
+        except Diverged:
+            contact.restore(before)
+            raise
 
     def _predict(self, step: float) -> Floats:
         """At the rate of the last increment, which ropes that bend on keep."""
@@ -81,6 +115,8 @@ class Bender:
             "travel": self.travel,
             "moved": step,
             "pretension": self.pretension,
+            "sheave_turn": self._turn,
+            "sheave_angle": state.progress.get("sheave_angle", 0.0) + self._turn,
             "furthest": max(self.travel, state.progress.get("furthest", 0.0)),
         }
         self.state = replace(

@@ -41,6 +41,7 @@ def bent_results(model: BentRope, state: State, picture: Snapshot) -> dict[str, 
         "end_force": float(np.abs(model.end_forces(state.q)).mean()),
         "yarn_sheave_force_max": yarn_sheave_force_max(picture),
         "core_pressure_max": core_pressure_max(picture),
+        "sheave_angle": float(np.degrees(state.progress["sheave_angle"])),
         "von_mises_max": von_mises_max(picture) if picture.skins else np.nan,
     }
     return results
