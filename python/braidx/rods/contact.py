@@ -12,6 +12,7 @@ from ..contact.tubes import TubeLayout
 
 REGULARISATION = 1e-4  # of the radius: gap over which the normal force sets in
 REVERSIBLE_SLIP = 1e-3  # of the radius
+MISSED = 5e-3  # of the radius: what stations along a line may miss of a crossing before it gets one of its own
 
 
 def make_contact(
@@ -28,6 +29,7 @@ def make_contact(
     contact.pairing.spacing = spacing or float(tubes.element_length.min()) / 2.0
     contact.pairing.search.margin = contact.min_radius / 2.0
     contact.pairing.search.self_exclusion = np.inf if self_contact is None else self_contact
+    contact.pairing.point_tolerance = MISSED * contact.min_radius
     contact.laws.regularisation = REGULARISATION * contact.min_radius
     contact.laws.reversible_slip = REVERSIBLE_SLIP * contact.min_radius
     return contact

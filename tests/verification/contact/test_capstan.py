@@ -1,9 +1,10 @@
-"""C3: a cable that slides round a cylinder, T2 / T1 = exp(mu theta), line load q = T / R."""
+"""C3: a cable that slides round a cylinder, T2 / T1 = exp(mu theta), line load q = T / R (exact)."""
 
 import braidx_engine as engine
 import numpy as np
 import pytest
-from support import Rods, cables
+
+from braidx.rods import Cable, Rods
 
 RADIUS, THIN, TAIL = 10.0, 0.1, 5.0  # cylinder, cable, straight ends, mm
 TENSION = 10.0  # T1, N
@@ -43,38 +44,38 @@ def wrapped_line(wrap):
 def slide(friction, wrap):
     line, start, end = wrapped_line(wrap)
     cylinder = engine.make_cylinder(np.zeros(3), np.array([0, 0, 1.0]), RADIUS, False, 0)
-    body = cables([line], 1e5, TENSION)
     rods = Rods(
-        body,
-        THIN,
-        penalty=2e3,
+        [Cable(line, THIN, 1e5, TENSION)],
         friction=friction,
+        penalty=2e3,
+        penetration=None,
         rigid=[cylinder],
         tolerance=1e-7,
-        symmetric=False,
     )
-    rods.loads[0] = -TENSION * start
-    rods.hold(-1)
-    for distance in (0.01, 0.05, 0.1, 0.2):
-        rods.held[-1] = line[-1] + distance * end
+    rods.force(0, 0, -TENSION * start)
+    rods.pin(0, -1)
+    for way in (0.01, 0.04, 0.05, 0.1):
+        rods.move(0, -1, by=way * end)
         rods.solve()
     return rods, end
 
 
 @pytest.mark.parametrize("friction, wrap", EXACT)
-def test_ratio_of_tensions(friction, wrap):
+def test_ratio_of_tensions(record, friction, wrap):
     rods, end = slide(friction, wrap)
-    pulled = rods.reactions()[-1] @ end
-    assert pulled / TENSION == pytest.approx(EXACT[friction, wrap], rel=5e-4)
+    ratio = rods.reaction(0, -1)[0] @ end / TENSION
+    what = f"capstan, mu = {friction:g}, {wrap} degrees: T2 / T1"
+    record.check("C3", what, ratio, EXACT[friction, wrap], 5e-4, unknowns=rods.q.size)
 
 
-def test_line_load():
+def test_line_load(record):
     rods, _ = slide(0.2, 180)
-    contacts = rods.contacts()
-    tension = rods.body.tension(rods.q)
+    contacts, tension = rods.contacts(), rods.tension(0)
     element = np.clip(contacts["s"][:, 0].astype(int), 0, len(tension) - 1)
     angle = np.degrees(np.arctan2(contacts["position"][:, 1], contacts["position"][:, 0]))
     inside = (angle > 10) & (angle < 170)
     load = contacts["normal_force"] / contacts["weight"]
     assert inside.sum() > 100
-    assert load[inside] == pytest.approx(tension[element[inside]] / (RADIUS + THIN), rel=5e-3)
+    exact = tension[element[inside]] / (RADIUS + THIN)
+    what = "capstan, mu = 0.2, 180 degrees: line load T / R"
+    record.check("C3", what, load[inside], exact, 5e-3, unknowns=rods.q.size)

@@ -1,12 +1,10 @@
-"""C6 and C7: parallel rods in line contact, whatever their meshes."""
+"""C6 and C7: parallel rods in line contact, whatever their meshes (exact)."""
 
 import braidx_engine as engine
 import numpy as np
 import pytest
-from mpi4py import MPI
-from support import Rods, cables, straight
 
-from braidx.bodies import BeamBody, BeamSection, YarnMaterial
+from braidx.rods import Beam, Cable, Rods, YarnMaterial, straight
 
 RADIUS, LENGTH = 1.0, 20.0
 PENALTY = 500.0  # N/mm per mm
@@ -20,19 +18,14 @@ def pressed(num_elements, shift, load, beams=True):
         straight((2 * RADIUS, 0, start), (2 * RADIUS, 0, start + LENGTH), num_elements),
     ]
     if beams:
-        section, material = BeamSection.round(RADIUS), YarnMaterial.isotropic(1e4, 0.0)
-        body = BeamBody(MPI.COMM_SELF, lines, section=section, material=material)
+        material = YarnMaterial.isotropic(1e4, 0.0)
+        pair = [Beam(line, RADIUS, material, degree=1) for line in lines]
     else:
-        body = cables(lines, 1e4, 100.0)
-    rods = Rods(body, RADIUS, penalty=PENALTY)
-    lower, upper = rods.nodes(0), rods.nodes(1)
-    share = np.full(num_elements + 1, LENGTH / num_elements)
-    share[[0, -1]] /= 2
-    rods.loads[upper, 0] = -load * share
-    rods.hold(lower)
-    rods.hold(upper, slice(1, 3))
-    if beams:
-        rods.hold(upper, slice(3, 9))
+        pair = [Cable(line, RADIUS, 1e4, tension=100.0) for line in lines]
+    rods = Rods(pair, penalty=PENALTY, penetration=None, tolerance=1e-9)
+    rods.hold(0)
+    rods.hold(1, components=slice(1, None))
+    rods.line_load(1, (-load, 0.0, 0.0))
     rods.solve()
     return rods
 
@@ -42,7 +35,7 @@ MESHES = [(10, 0.0), (10, 0.37), (13, 0.0), (13, 1.1), (31, -0.83)]
 
 @pytest.mark.parametrize("beams", [True, False], ids=["beams", "cables"])
 @pytest.mark.parametrize("num_elements, shift", MESHES)
-def test_patch(num_elements, shift, beams):
+def test_patch(record, num_elements, shift, beams):
     """C6: forces sum to q L, penetration is q / k.
 
     A cable has no bending stiffness to level out the difference between a load on its straight
@@ -50,26 +43,30 @@ def test_patch(num_elements, shift, beams):
     """
     load = 2.5
     rods = pressed(num_elements, shift, load, beams)
-    contacts = rods.contacts()
-    assert contacts["normal_force"].sum() == pytest.approx(load * LENGTH, rel=1e-6)
-    assert rods.reactions()[rods.nodes(0), 0].sum() == pytest.approx(load * LENGTH, rel=1e-6)
+    contacts, size = rods.contacts(), rods.q.size
+    kind = "beams" if beams else "cables"
+    held = sum(rods.reaction(0, node)[0][0] for node in range(17))
+    sums = [contacts["normal_force"].sum(), held]
+    record.check("C6", f"patch of {kind}: sum q L", sums, load * LENGTH, 1e-6, unknowns=size)
     penetration = -contacts["gap"] - rods.contact.laws.regularisation / 2
     if not beams:
         s = contacts["s"][:, 1]
         penetration = penetration[(s > 3) & (s < num_elements - 3)]
-    assert penetration == pytest.approx(np.full(len(penetration), load / PENALTY), rel=0.01)
+    what = f"patch of {kind}: penetration q / k"
+    record.check("C6", what, penetration, load / PENALTY, 0.01, unknowns=size)
 
 
-def test_seven_rods():
+def test_seven_rods(record):
     """C7: six rods pressed onto a seventh by a bore: six equal forces on the core, six on the bore."""
     angle = np.pi / 3 * np.arange(6)
     places = [(0.0, 0.0), *zip(2 * RADIUS * np.cos(angle), 2 * RADIUS * np.sin(angle))]
-    body = cables([straight((x, y, 0), (x, y, LENGTH), 12) for x, y in places], 1e4, 50.0)
+    seven = [Cable(straight((x, y, 0), (x, y, LENGTH), 12), RADIUS, 1e4, 50.0) for x, y in places]
     axis = np.array([0.0, 0.0, 1.0])
     bore = engine.make_cylinder(0 * axis, axis, 3 * RADIUS - 0.02, True, 0)
-    rods = Rods(body, RADIUS, penalty=PENALTY, rigid=[bore])
-    rods.viscosity[:] = 20.0  # all six may turn about the core
-    rods.hold(slice(None), 2)
+    options = {"penalty": PENALTY, "penetration": None, "tolerance": 1e-9}
+    rods = Rods(seven, rigid=[bore], viscosity=20.0, **options)  # all six may turn about the core
+    for rod in range(7):
+        rods.hold(rod, components=[2])
     for _ in range(4):
         rods.solve()
     contacts = rods.contacts()
@@ -78,6 +75,8 @@ def test_seven_rods():
     core = np.array([force[(a == 0) & (b == rod)].sum() for rod in range(1, 7)])
     wall = np.array([force[(a == rod) & (b < 0)].sum() for rod in range(1, 7)])
     beside = force[(a > 0) & (b > 0)].sum() / 6
-    assert core == pytest.approx(np.full(6, core.mean()), rel=1e-6)
-    assert wall == pytest.approx(np.full(6, core.mean() + beside), rel=1e-6)
+    size = rods.q.size
+    record.check("C7", "seven rods: force on the core", core, core.mean(), 1e-6, unknowns=size)
+    outside = core.mean() + beside
+    record.check("C7", "seven rods: force on the bore", wall, outside, 1e-6, unknowns=size)
     assert core.mean() > 1

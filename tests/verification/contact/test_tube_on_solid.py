@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from assembly import Assembly
 from mpi4py import MPI
-from support import cables, straight
+from support import cables
 
 from braidx.bodies import BeamBody, BeamSection, SolidBody, YarnMaterial
 from braidx.meshing import rectangle, sweep

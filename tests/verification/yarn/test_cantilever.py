@@ -75,8 +75,8 @@ def test_slenderness(record, slenderness, tolerance):
 
 
 ROUND_OFF = (
-    "EA is 1.6e9 times EI/L^2 here, and round-off of positions over the length of an element leaves axial forces of 1e-5 "
-    "of the load, beyond which `Rods` looks for no equilibrium. The mesh gives 5e-6 at L/d = 1e3."
+    "EA is 1.6e9 times EI/L^2 here, and round-off of positions over the length of an element leaves axial forces of "
+    "1e-5 of the load, beyond which `Rods` looks for no equilibrium. The mesh gives 5e-6 at L/d = 1e3."
 )
 
 

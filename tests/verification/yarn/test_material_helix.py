@@ -1,6 +1,7 @@
 """V10: an end couple along the axis winds a straight rod with EI = GJ to an exact helix.
 
-kappa EI b + tau GJ t of a helix, kappa = r / (r^2 + c^2), tau = c / (r^2 + c^2), is EI / sqrt(r^2 + c^2) along the axis.
+kappa EI b + tau GJ t of a helix, with kappa = r / (r^2 + c^2), tau = c / (r^2 + c^2), is EI / sqrt(r^2 + c^2) along the
+axis.
 """
 
 import numpy as np

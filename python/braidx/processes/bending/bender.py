@@ -63,7 +63,7 @@ class Bender:
         model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
         model.move(self.travel + step, self.pretension)
         self._first = system.expand(system.free_values(self._predict(step)))
-        if model.scene.sheave.motion != "free":
+        if not model.sheave.turns_freely:
             return self._turned(model.sheave.turn(model.scene, step))
         return self._balanced(step)
 

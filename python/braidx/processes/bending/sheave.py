@@ -25,11 +25,13 @@ class SheavePlace:
         centre: shape (3,), mm.
         radius: Where the rope lies, mm.
         groove_radius: mm, None for a flat sheave.
+        turns_freely: Whether it turns as friction takes it along.
     """
 
     centre: Floats
     radius: float
     groove_radius: float | None
+    turns_freely: bool
 
     @staticmethod
     def below(scene: Scene, lines: Sequence[Floats]) -> SheavePlace:
@@ -39,7 +41,7 @@ class SheavePlace:
         height, middle = sheave.diameter / 2.0, scene.length / 2.0
         lowest = min(line[:, 1].min() for line in lines) - scene.yarn.radius
         centre = np.array([0.0, lowest - sheave.gap - height, middle])
-        return SheavePlace(centre, height, sheave.groove_radius)
+        return SheavePlace(centre, height, sheave.groove_radius, sheave.motion == "free")
 
     def surface(self, turned: float = 0.0) -> Any:
         """Engine object of the sheave, which turns by an angle (radians) in the increment."""

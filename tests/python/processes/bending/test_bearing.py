@@ -39,14 +39,10 @@ def test_no_balance_is_said_to_be_none():
 
 
 def test_a_rope_over_a_free_sheave(run, tmp_path):
-    """Both ends move alike, so that the sheave hardly turns, and the rope is bent as over a fixed one."""
-    words = ["--set", "steps.bend.increments=3", "--set", "steps.straighten.increments=2"]
-    runs = [
-        run(tmp_path / motion, *words, "--set", f"sheave.motion={motion}", scene=SCENE)
-        for motion in ("fixed", "free")
-    ]
-    fixed, free = (found.values for found in runs)
-    assert [found.code for found in runs] == [0, 0], runs[1].stderr
-    assert fixed["sheave_angle"] == 0.0 and 0.0 < abs(free["sheave_angle"]) < 5.0
-    slides = [values["relative_displacement"] for values in (fixed, free)]
-    assert slides[1] == pytest.approx(slides[0], rel=0.2)
+    """Both ends move alike: the sheave turns a little, as the helices of the two directions are not mirror images."""
+    words = ["sheave.motion=free", "steps.bend.travel=3", "steps.bend.increments=2"]
+    words += ["steps.straighten.increments=1"]
+    free = run(tmp_path / "free", *(part for w in words for part in ("--set", w)), scene=SCENE)
+    assert free.code == 0, free.stderr
+    assert 0.0 < abs(free.values["sheave_angle"]) < 5.0
+    assert free.values["relative_displacement"] > 0.05
