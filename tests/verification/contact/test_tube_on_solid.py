@@ -12,6 +12,7 @@ from support import cables
 
 from braidx.bodies import BeamBody, BeamSection, SolidBody, YarnMaterial
 from braidx.meshing import rectangle, sweep
+from braidx.rods import straight
 
 LENGTH, RADIUS = 6.0, 1.0
 WIDTH, HEIGHT = 5.0, 2.0

@@ -49,7 +49,7 @@ def state(body, seed=1):
 
 @pytest.mark.parametrize("beams", [False, True], ids=["cables", "beams"])
 @pytest.mark.parametrize("friction", [0.0, 0.3])
-def test_forces_and_moments_sum_to_zero(beams, friction):
+def test_forces_and_moments_sum_to_zero(record, beams, friction):
     """Friction of cables acts on their centre lines, two radii apart: it alone leaves a couple.
 
     Normal forces of beams balance up to the distance between the section that faces the other side and the one that
@@ -60,16 +60,19 @@ def test_forces_and_moments_sum_to_zero(beams, friction):
     force = contact_forces(body, q, start, friction)
     size = np.abs(force[:, :3]).sum()
     assert size > 100
-    assert np.abs(force[:, :3].sum(axis=0)).max() < 1e-13 * size
+    total = force[:, :3].sum(axis=0)
+    record.check("C9", "strand: sum of contact forces", total, 0.0, 1e-13, scale=size)
     if not friction:
         parts = range(0, q.shape[1], 3)
         moment = sum(np.cross(q[:, i : i + 3], force[:, i : i + 3]) for i in parts).sum(axis=0)
-        assert np.abs(moment).max() < (1e-6 if beams else 1e-13) * size * ROPE.length
+        kind, tolerance = ("beams", 1e-6) if beams else ("cables", 1e-13)
+        what = f"strand of {kind}: sum of moments, no friction"
+        record.check("C9", what, moment, 0.0, tolerance, scale=size * ROPE.length)
 
 
 @pytest.mark.parametrize("beams", [False, True], ids=["cables", "beams"])
 @pytest.mark.parametrize("friction", [0.0, 0.3])
-def test_order_of_the_yarns_does_not_matter(beams, friction):
+def test_order_of_the_yarns_does_not_matter(record, beams, friction):
     body, reversed_body = yarns(ROPE.centre_lines, beams), yarns(ROPE.centre_lines[::-1], beams)
 
     def backwards(nodal):
@@ -78,4 +81,5 @@ def test_order_of_the_yarns_does_not_matter(beams, friction):
     q, start = state(body)
     force = contact_forces(body, q, start, friction)
     swapped = contact_forces(reversed_body, backwards(q), backwards(start), friction)
-    assert np.abs(backwards(swapped) - force).max() < 1e-8 * np.abs(force).max()
+    what, size = "strand: contact forces, yarns in reversed order", np.abs(force).max()
+    record.check("C9", what, backwards(swapped), force, 1e-8, scale=size)
