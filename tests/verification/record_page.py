@@ -41,7 +41,9 @@ def write(records: Records, docs: Path) -> None:
             draw(rows, image)
             parts.append(f"## {title}\n\n![Errors and tolerances](images/{image.name})\n")
             parts.append("\n".join([COLUMNS, "|---" * 9 + "|", *map(line, rows)]) + "\n")
-            parts += [f"{row.case}, {row.what}: {row.missed}\n" for row in rows if row.missed]
+            parts += [
+                f"{row.case}, {row.what}, is missed: {row.missed}\n" for row in rows if row.missed
+            ]
     (docs / "verification.md").write_text("\n".join(parts), "utf-8")
 
 
@@ -54,8 +56,8 @@ def line(row: Row) -> str:
         row.what + of_many,
         "" if convergence else f"{row.expected:.7g}",
         "" if convergence else f"{row.computed:.7g}",
-        f"{row.error:.1e}",
-        f"{row.tolerance:.0e}" if np.isfinite(row.tolerance) else "",
+        f"{row.error:.2g}",
+        f"{row.tolerance:.2g}" if np.isfinite(row.tolerance) else "",
         "" if row.order is None else f"{row.order:.2f}",
         str(row.unknowns or ""),
         f"{row.seconds:.2f}",
@@ -69,18 +71,12 @@ def draw(rows: list[Row], path: Path) -> None:
     """Errors beside their tolerances, and over the number of elements where there are several; 800 px wide."""
     judged = [row for row in rows if np.isfinite(row.tolerance) and not row.meshes]
     series = [row for row in rows if row.meshes]
-    heights = [0.23 * len(judged) + 0.9] + [3.4] * bool(series)
-    figure, axes = plt.subplots(
-        len(heights),
-        figsize=(8.0, sum(heights)),
-        dpi=100,
-        squeeze=False,
-        height_ratios=heights,
-        layout="constrained",
-    )
-    _bars(axes[0, 0], judged)
+    heights = [0.23 * len(judged) + 1.0] + [4.6] * bool(series)
+    figure = plt.figure(figsize=(8.0, sum(heights)), dpi=100, layout="constrained")
+    parts = figure.subfigures(len(heights), height_ratios=heights, squeeze=False).ravel()
+    _bars(parts[0].subplots(), judged)
     if series:
-        _convergence(axes[1, 0], series)
+        _convergence(parts[1].subplots(), series)
     figure.savefig(path)
     plt.close(figure)
 
@@ -95,7 +91,7 @@ def _bars(axes: plt.Axes, rows: list[Row]) -> None:
     axes.set(xscale="log", xlim=(0.3 * ROUND_OFF, 1.0), ylim=(len(rows) - 0.4, -0.6))
     axes.set_xlabel("error, -")
     axes.grid(axis="x", alpha=0.3)
-    axes.legend(loc="upper left", fontsize=8)
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, fontsize=8, frameon=False)
 
 
 def _convergence(axes: plt.Axes, rows: list[Row]) -> None:
@@ -103,9 +99,12 @@ def _convergence(axes: plt.Axes, rows: list[Row]) -> None:
         number, error = np.array(row.meshes).T
         label = f"{_short(row)}: order {row.order:.1f}"
         axes.loglog(number, error, marker + "-", label=label)
-    axes.set(xlabel="elements, or steps of time", ylabel="error, -")
+    numbers = sorted({number for row in rows for number, _ in row.meshes})
+    axes.set_xticks(numbers, map(str, numbers))
+    axes.minorticks_off()
+    axes.set(xlabel="elements", ylabel="error, -")
     axes.grid(which="both", alpha=0.3)
-    axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    axes.legend(fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
 
 
 def _short(row: Row) -> str:

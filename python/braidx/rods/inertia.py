@@ -86,7 +86,7 @@ class InertiaTerm:
         """Velocity and acceleration at the end of the step, if that is at q."""
         s, dt = self.scheme, self._step
         moved: Floats = np.asarray(q - self._start)
-        if s.beta == 1.0:
+        if s.beta == s.gamma == 1.0:
             velocity: Floats = np.asarray(moved / dt)
             return velocity, np.asarray((velocity - self.velocity) / dt)
         acceleration: Floats = np.asarray((moved / dt - self.velocity) / (s.beta * dt))

@@ -10,7 +10,9 @@ from braidx.geometry.closed_forms import cover_factor, jamming_angle
 @pytest.mark.parametrize("degrees, cover", [(30, 0.6876), (45, 0.7886), (60, 0.9443)])
 def test_cover(record, degrees, cover):
     computed = cover_factor(12, 2.0, 5.0, math.radians(degrees))
-    record.check("R3", f"braid at {degrees} degrees, R = 5: cover", computed, cover, 5e-5, scale=1.0)
+    record.check(
+        "R3", f"braid at {degrees} degrees, R = 5: cover", computed, cover, 5e-5, scale=1.0
+    )
 
 
 def test_jamming(record):

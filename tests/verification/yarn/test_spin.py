@@ -12,8 +12,9 @@ CENTRE = np.array([3.0, -2.0, 1.0])
 
 
 FRICTION = (
-    "reactions and energy drift by some per cent in a full turn, by as much in small steps as in large ones. Slip is "
-    "measured between particles that are a penetration apart and is carried on with the normal: a turn looks like slip."
+    "reactions and energy drift by some per cent in a full turn, about as much in small steps as in large ones: slip "
+    "is not free of rigid motion. Turned about a rod's axis the pair drifts in proportion to the penetration, about "
+    "the normal whatever it is."
 )
 
 

@@ -1,0 +1,44 @@
+"""A beam pressed across two cables, with friction; as a script it writes what it finds, for any number of processes."""
+
+import sys
+
+import numpy as np
+from mpi4py import MPI
+
+from braidx.rods import Beam, Cable, Rods, YarnMaterial, straight
+
+
+def pressed():
+    """The beam's clamped ends go down by 0.6 mm and along by 0.2 mm."""
+    across = straight((0, -8, 1.9), (0, 8, 1.9), 16)
+    parts = [Beam(across, 1.0, YarnMaterial.isotropic(2e3, 0.3))]
+    for y in (-2.5, 2.5):
+        parts.append(Cable(straight((-8, y, 0), (8, y, 0), 16), 1.0, 1e4, tension=200.0))
+    rods = Rods(parts, friction=0.2, tolerance=1e-10)
+    rods.clamp(0, [0, -1])
+    for cable in (1, 2):
+        rods.pin(cable, [0, -1])
+    rods.move(0, [0, -1], by=(0.2, 0.0, -0.6))
+    rods.solve(increments=3)
+    return rods
+
+
+def results(rods):
+    """What processes have to agree on."""
+    return {
+        "q": rods.q,
+        "reaction": np.concatenate(rods.reaction(0, 0)),
+        "tension": rods.tension(1),
+        "energy": [rods.elastic_energy()],
+        "friction work": [rods.friction_work],
+    }
+
+
+def main(path):
+    found = results(pressed())
+    if MPI.COMM_WORLD.rank == 0:
+        np.savez(path, **found)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

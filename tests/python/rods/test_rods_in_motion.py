@@ -1,0 +1,77 @@
+"""Rods that fly, fall and swing."""
+
+import numpy as np
+import pytest
+
+from braidx.rods import Beam, Cable, Rods, Scheme, YarnMaterial, straight
+
+DENSITY = 1e-6  # t/mm^3
+LINE = straight((0, 0, 0), (10, 0, 0), 4)
+CABLE = Cable(LINE, 0.5, 1e3, density=DENSITY)
+BEAM = Beam(LINE, 0.5, YarnMaterial.isotropic(1e3, 0.3), density=DENSITY)
+
+
+@pytest.mark.parametrize("rod", [CABLE, BEAM], ids=["cable", "beam"])
+def test_free_flight(rod):
+    rods = Rods([rod], tolerance=1e-12)
+    velocity = np.zeros(rods.q.size)
+    nodes = velocity.reshape(len(LINE), -1)
+    nodes[:, :3] = [3.0, -2.0, 5.0]
+    rods.run(0.5, 0.1, velocity=velocity)
+    assert rods.positions(0) == pytest.approx(LINE + [1.5, -1.0, 2.5], abs=1e-10)
+    assert rods.time == pytest.approx(0.5)
+    mass = DENSITY * np.pi * 0.5**2 * 10.0
+    assert rods.kinetic_energy() == pytest.approx(0.5 * mass * 38.0, rel=1e-10)
+    rods.run(0.1, 0.1)  # goes on with the velocity that it has
+    assert rods.positions(0) == pytest.approx(LINE + [1.8, -1.2, 3.0], abs=1e-10)
+
+
+def test_fall_of_what_is_let_go():
+    rods = Rods([CABLE], tolerance=1e-12)
+    rods.pin(0, slice(None))
+    rods.line_load(0, (0.0, 0.0, -DENSITY * np.pi * 0.5**2 * 9810.0))
+    rods.solve()
+    rods.release(0, slice(None))
+    rods.run(0.02, 0.005)
+    assert rods.positions(0) == pytest.approx(LINE - [0, 0, 0.5 * 9810.0 * 0.02**2], rel=1e-9)
+
+
+PERIOD = 2.0 * 10.0 / np.sqrt(1e3 / (DENSITY * np.pi * 0.5**2))  # of the slowest swing along it, s
+
+
+def plucked():
+    """A taut cable between its ends, its middle let go from 0.05 mm beside along the axis."""
+    rods = Rods([Cable(LINE, 0.5, 1e3, tension=50.0, density=DENSITY)], tolerance=1e-11)
+    rods.hold(0, components=[1, 2])
+    rods.pin(0, [0, 2, -1])
+    rods.solve()
+    at_rest = rods.elastic_energy()
+    rods.move(0, 2, by=(0.05, 0.0, 0.0))
+    rods.solve()
+    rods.release(0, 2, [0])
+    return rods, at_rest
+
+
+def swing(scheme):
+    """Energy above that at rest after each of 100 steps of a period, over the first."""
+    rods, at_rest = plucked()
+    before, energies = rods.elastic_energy() - at_rest, []
+
+    def observe(share):
+        energies.append(rods.elastic_energy() + rods.kinetic_energy() - at_rest)
+
+    rods.run(PERIOD, PERIOD / 100.0, scheme=scheme, observe=observe)
+    assert len(energies) == 100
+    return np.array(energies) / before
+
+
+def test_an_oscillation_keeps_its_energy():
+    """Stretches are small, so that it is nearly linear."""
+    assert swing(Scheme.generalised_alpha(1.0)) == pytest.approx(np.ones(100), abs=5e-3)
+    assert swing(Scheme.backward_euler())[-1] < 0.9
+
+
+def test_motion_needs_density():
+    rods = Rods([CABLE, Cable(LINE + [0, 9, 0], 0.5, 1e3)])
+    with pytest.raises(ValueError, match="density of rod 1 is 0.0"):
+        rods.run(1.0, 0.1)
