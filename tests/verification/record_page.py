@@ -26,7 +26,9 @@ Problems with known solutions, and what braidx makes of them. This page and its 
 `./braidx test --verification` from what the tests in `tests/verification/` state, whenever all of them have run and
 passed; nothing here is written by hand. Each value is checked against the tolerance beside it. Errors are over the
 expected value, or over the size of the whole (a length, a load) where that is 0. Of values that are compared all at
-once the worst is shown. Seconds are those of one core of the machine that wrote the page.
+once the worst is shown, of orders from mesh to mesh the least. Seconds are those of one core of the machine that wrote
+the page. A rope of a paper (R4, R5) takes minutes and is judged by `tests/verification/rope/test_paper_rope.py` from a
+run made beforehand.
 """
 COLUMNS = "| case | what | expected | computed | error | tolerance | order | unknowns | s |"
 
@@ -85,9 +87,10 @@ def _bars(axes: plt.Axes, rows: list[Row]) -> None:
     places = np.arange(len(rows))
     errors = np.maximum([row.error for row in rows], ROUND_OFF)
     tolerances = [row.tolerance for row in rows]
-    axes.barh(places, errors, left=0.1 * ROUND_OFF, color="#4477aa", height=0.6, label="error")
+    colours = ["#ee9944" if row.missed else "#4477aa" for row in rows]
+    axes.barh(places, errors, left=0.1 * ROUND_OFF, color=colours, height=0.6, label="error")
     axes.plot(tolerances, places, "|", color="#cc3311", ms=11, mew=2.5, label="tolerance")
-    axes.set_yticks(places, [_short(row) for row in rows], fontsize=8)
+    axes.set_yticks(places, [_short(row) for row in rows], fontsize=7.5)
     axes.set(xscale="log", xlim=(0.3 * ROUND_OFF, 1.0), ylim=(len(rows) - 0.4, -0.6))
     axes.set_xlabel("error, -")
     axes.grid(axis="x", alpha=0.3)
@@ -109,7 +112,7 @@ def _convergence(axes: plt.Axes, rows: list[Row]) -> None:
 
 def _short(row: Row) -> str:
     text = f"{row.case} {row.what}"
-    return text if len(text) <= 52 else text[:50] + " .."
+    return text if len(text) <= 60 else text[:58] + " .."
 
 
 def _place(row: Row) -> tuple[str, int]:

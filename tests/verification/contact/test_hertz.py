@@ -120,7 +120,7 @@ def test_numbers_of_the_case():
 def state(record, title, case, contacts):
     """States half width, peak and mean pressure; the exact values are those of plane strain and small strain."""
     size = np.array([case.half_width, case.peak, 1.0])
-    names = ("half width", "peak pressure", "pressure in the middle over the exact one")
+    names = ("half width", "peak pressure", "middle pressure over exact")
     for name, value, exact in zip(names, measured(case, contacts) * size, size):
         record.check("C5", f"Hertz, {title}: {name}", value, exact, 0.01)
 

@@ -47,7 +47,7 @@ def test_ripple(record, degree):
     """The ripple is that of a straight element's sagitta and of places where the tube is smoothed."""
     results, size = slide(degree, 0.0)
     normal = results[:, 0]
-    what = f"sliding over elements of degree {degree}: normal force over its mean"
+    what = f"sliding, elements of degree {degree}: normal force over its mean"
     record.check("C8", what, normal / normal.mean(), 1.0, 1e-3, unknowns=size)
 
 
@@ -55,5 +55,5 @@ def test_ripple(record, degree):
 def test_friction(record, degree):
     results, size = slide(degree, FRICTION)
     normal, friction = results[3:].T  # the first steps are reversible
-    what = f"sliding over elements of degree {degree}: friction over mu N"
+    what = f"sliding, elements of degree {degree}: friction over mu N"
     record.check("C8", what, friction / (FRICTION * normal), 1.0, 1e-3, unknowns=size)

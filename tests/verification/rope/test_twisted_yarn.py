@@ -37,5 +37,5 @@ def test_modulus(record, surface_angle):
     cos = np.cos(np.arctan(2.0 * np.pi * radii / PITCH))
     modulus = np.average(cos * [pull(radius) for radius in radii], weights=radii)
     exact = np.cos(np.radians(surface_angle)) ** 2
-    what = f"twisted yarn, surface angle {surface_angle} degrees: modulus over that of filaments"
+    what = f"twisted yarn, B = {surface_angle} degrees: modulus ratio"
     record.check("R2", what, modulus, exact, 2e-3)

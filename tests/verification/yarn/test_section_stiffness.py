@@ -89,7 +89,7 @@ def test_bundle(record, filaments):
 
     bent, twisted = bending_stiffness(rod(0.3)), torsion_stiffness(rod(0.3))
     ratio = bending_stiffness(bundle(), 1e-4 / filaments) / bent
-    what = f"bundle of {filaments} filaments over the solid rod"
+    what = f"bundle of {filaments} over the solid rod"
     record.check("V9", f"{what}: bending", ratio, 1.0 / filaments, 1e-6)
     ratio = torsion_stiffness(bundle()) / twisted
     record.check("V9", f"{what}: torsion", ratio, 1.0 / filaments, 1e-6)

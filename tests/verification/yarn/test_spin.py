@@ -58,7 +58,7 @@ def test_turn(record, friction, missed, measured):
     reaction, energy, work = rods.reaction(0, 0)[0], rods.elastic_energy(), rods.friction_work
     spin(rods, 12)
     options = {"unknowns": rods.q.size, "missed": missed, "measured": measured}
-    what = f"turn of 360 degrees in contact, mu = {friction:g}: "
+    what = f"turn of 360 degrees, mu = {friction:g}: "
     back, scale = rods.reaction(0, 0)[0], np.linalg.norm(reaction)
     record.check("V11", what + "reaction", back, reaction, 1e-10, scale=scale, **options)
     record.check("V11", what + "energy", rods.elastic_energy(), energy, 1e-10, **options)
