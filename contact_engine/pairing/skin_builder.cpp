@@ -17,8 +17,9 @@ constexpr double facing = -0.2;
 constexpr double sine_beside = 0.766;
 /// The same on the rim of a surface that is open there.
 constexpr double sine_rim = 0.05;
-/// Depth below a place, as a share of the skin's radius, from which on the wall is asked for that a
-/// point came in through, and distance of a nearer one, as a share of the distance of that place.
+/// Depth below a place, as a share of the skin's radius, from which on it is asked whether a
+/// point is at another wall, and distance of a nearer one, as a share of the distance of that
+/// place.
 constexpr double deep = 0.2, much_nearer = 0.5;
 /// A tube may lie on an edge; its centre is still above the surface beside that edge.
 constexpr double cosine_above = 0.2;
@@ -58,13 +59,12 @@ double share_of(double area_a, double area_b) {
     return area_b * area_b / (area_a * area_a + area_b * area_b);
 }
 
-/// Whether a point inside of a skin, deep below a place there, came in through another wall that is
-/// much nearer: then that place is the far wall, seen from within, as happens behind coarse edges.
-bool came_in_elsewhere(const CurrentSkin& onto, const SkinPlace& place, const Vec3& x) {
+/// Whether a point deep below a place on a skin is much nearer to another one, at a wall that does
+/// not face it or at an open end: then that place is the far wall, seen from within.
+bool is_at_another_wall(const CurrentSkin& onto, const SkinPlace& place, const Vec3& x) {
     if (place.height() > -deep * onto.skin().radius)
         return false;
-    const auto nearest =
-        onto.closest(x, [](const SkinPlace& p) { return p.height() <= 0 && !is_beside(p); });
+    const auto nearest = onto.closest(x, [](const SkinPlace&) { return true; });
     return nearest && nearest->offset.norm() < much_nearer * place.offset.norm();
 }
 
@@ -98,7 +98,7 @@ void SkinBuilder::add_points(std::int32_t a, std::int32_t b, ContactElements& ou
             return height <= margin && height >= -depth && point.normal.dot(p.normal) < facing &&
                    !is_beside(p) && !is_beyond_rim(onto.skin(), p);
         });
-        if (!place || came_in_elsewhere(onto, *place, point.position))
+        if (!place || is_at_another_wall(onto, *place, point.position))
             continue;
         const double share = share_of(mean_area(from.skin(), point.at.facet),
                                       mean_area(onto.skin(), place->at.facet));

@@ -103,20 +103,36 @@ TEST_CASE("points see no surface from behind, beside or beyond the margin", "[sk
     }
 }
 
-TEST_CASE("points just inside of a wall do not see the far one", "[skin_pairing]") {
-    Rods rods;
-    add_cylinder(rods, FacetKind::square4, {8, 3}, {0, 0, 0}, 1, 3);
-    rods.add_straight(cable, 1, 1.0, {9, 0, 0}, {9, 0, 3}); // places on skins matter up to 1.5 away
+TEST_CASE("points at a wall do not see the far one through it", "[skin_pairing]") {
     const auto at = [](double degrees, double radius) -> Vec3 {
         const double angle = degrees * std::numbers::pi / 180;
         return {radius * std::cos(angle), radius * std::sin(angle), 1.5};
     };
-    // Its normal is nearly square to that of the wall that it is behind, and opposite to one
-    // beyond.
-    const Vec3 size = 0.02 * at(118.2 - 90, 1) - Vec3(0, 0, 0.03);
-    add_rectangle(rods, FacetKind::square4, {1, 1}, at(22.5, 0.85), {0, 0, 0.02}, size);
-    const Vec3 normal = Vec3::UnitZ().cross(size);
-    CHECK(normal.dot(at(118.2, 1)) > 0);
+    for (const double radius : {0.85, 0.93}) { // inside of the facet at 0.924, and outside
+        Rods rods;
+        add_cylinder(rods, FacetKind::square4, {8, 3}, {0, 0, 0}, 1, 3);
+        // With it places on skins matter up to 1.5 away.
+        rods.add_straight(cable, 1, 1.0, {9, 0, 0}, {9, 0, 3});
+        // Its normal is nearly square to that of the wall, and opposite to that of one beyond.
+        const Vec3 side = 0.02 * at(118.2 - 90, 1) - Vec3(0, 0, 0.03);
+        add_rectangle(rods, FacetKind::square4, {1, 1}, at(22.5, radius), {0, 0, 0.02}, side);
+        CHECK(Vec3::UnitZ().cross(side).dot(at(118.2, 1)) > 0);
+        CHECK(pair_up(rods).empty());
+    }
+    // Beyond the oblique end of a cylinder at its near wall, which it faces, not yet at the far
+    // one.
+    Rods rods;
+    const auto oblique = [&](double u, double v) -> Vec3 {
+        Vec3 x = at(360 * u, 1);
+        x[2] = v * (3 - 0.05 * x.dot(at(22.5, 1).cwiseProduct(Vec3(1, 1, 0))));
+        return x;
+    };
+    add_patch(rods, FacetKind::square4, {8, 3}, oblique);
+    rods.add_straight(cable, 1, 1.0, {9, 0, 0}, {9, 0, 3});
+    Vec3 beyond = at(22.5, 0.8), side = 0.004 * at(22.5 + 90, 1);
+    beyond[2] = 2.962, side[2] = 0;
+    add_rectangle(rods, FacetKind::square4, {1, 1}, beyond, {0, 0, 0.004}, side);
+    CHECK(Vec3::UnitZ().cross(side).dot(at(22.5, 1)) < 0);
     CHECK(pair_up(rods).empty());
 }
 
