@@ -12,6 +12,7 @@ from ..contact.tubes import TubeLayout
 
 REGULARISATION = 1e-4  # of the radius: gap over which the normal force sets in
 REVERSIBLE_SLIP = 1e-3  # of the radius
+SPACING = 2.0  # radii between stations at most: those of long elements would miss how near rods come between them
 MISSED = 5e-3  # of the radius: what stations along a line may miss of a crossing before it gets one of its own
 
 
@@ -26,7 +27,8 @@ def make_contact(
     if not each_other:
         tubes = replace(tubes, group=0 * tubes.num_elements)
     contact = Contact(comm, tubes, smooth=True, symmetric=False)
-    contact.pairing.spacing = spacing or float(tubes.element_length.min()) / 2.0
+    half = float(tubes.element_length.min()) / 2.0
+    contact.pairing.spacing = spacing or min(half, SPACING * contact.min_radius)
     contact.pairing.search.margin = contact.min_radius / 2.0
     contact.pairing.search.self_exclusion = np.inf if self_contact is None else self_contact
     contact.pairing.point_tolerance = MISSED * contact.min_radius

@@ -12,6 +12,7 @@ from ..system.global_system import GlobalSystem
 from ..system.proximal import ProximalTerm
 from ..system.terms import BodyTerm, Floats, LoadTerm, Term
 from .couples import CoupleTerm
+from .first_guess import refuse_folds
 from .inertia import InertiaTerm
 from .layout import Layout
 from .loads import Loads
@@ -59,17 +60,20 @@ class Equilibria:
             newton, self._contact, self._proximal, conservative=not self._loads.has_couples
         )
 
-    def find(self, start: Floats, first: Floats, share: float) -> Increment:
+    def find(self, start: Floats, first: Floats, share: float, blind: bool = False) -> Increment:
         """The equilibrium at a share of the way.
 
         Args:
             start: The one before, shape (num_unknowns,).
             first: First guess; held unknowns go where they are asked to go.
+            blind: Whether the guess knows nothing of where they go, and may fold elements beside them.
         Raises:
             Diverged: If there is none to be found.
         """
         self._ask_for(share)
         fitting = self.system.expand(self.system.free_values(first))
+        if blind:
+            refuse_folds(self._layout, start, fitting)
         return self._incrementer.solve(start, fitting, self._options)
 
     def start_moving(self, q: Floats) -> None:

@@ -42,7 +42,7 @@ class Rods(RodState):
         contact: Whether rods touch each other.
         self_contact: Distance along a rod, in radii, from which on it may touch itself. None: never.
         rigid: Rigid surfaces, from braidx_engine.make_plane, make_cylinder or make_sheave.
-        spacing: Of places where contact is looked for, mm; half the shortest element by default.
+        spacing: Of places where contact is looked for, mm; half the shortest element by default, two radii at most.
         tolerance: Relative residual of an equilibrium.
         viscosity: Of a stabilisation of positions, N/mm per node; its work is reported with each increment.
         max_step: Largest change of a position in an iteration, mm; the size of the longest rod by default, the smallest
@@ -201,7 +201,7 @@ class Rods(RodState):
             first = self.q + before
             if guess is not None:
                 first = self.q + (guess - self.q) * (end - begin) / (1.0 - begin)
-            return self._equilibria.find(self.q, first, end)
+            return self._equilibria.find(self.q, first, end, blind=guess is None)
 
         return self._follow(step, increments, max_cuts, observe)
 
