@@ -12,9 +12,9 @@ CENTRE = np.array([3.0, -2.0, 1.0])
 
 
 FRICTION = (
-    "reactions and energy drift by some per cent in a full turn, about as much in small steps as in large ones: slip "
-    "is not free of rigid motion. Turned about a rod's axis the pair drifts in proportion to the penetration, about "
-    "the normal whatever it is."
+    "reactions and energy drift by some per cent in a full turn, about as much in small steps as in large ones. The "
+    "slip of an increment is the difference of two distances of particles that are a penetration apart, so that a turn "
+    "of the normal looks like slip; and what is remembered of it turns with the normal, not about it."
 )
 
 
