@@ -8,9 +8,9 @@ from ..solver.trial import Diverged
 from ..system.terms import Floats
 from .layout import Layout
 
-FOLDED = (
-    0.5  # of the distance of two nodes: what has to be left of it along the line where they were
-)
+# Of the distance of two nodes, what has to be left of it along the line where they were. Beams squeezed by more than
+# that may find no way back.
+FOLDED = 0.8
 
 
 def refuse_folds(layout: Layout, before: Floats, guess: Floats) -> None:

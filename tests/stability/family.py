@@ -1,0 +1,86 @@
+"""Families of scenes, their runs, and where their outcomes are kept until the report is written."""
+
+from __future__ import annotations
+
+import itertools
+import logging
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from judge import CONVERGED, FAILED, SLOW, WRONG, Outcome, with_slowness
+
+DONE: dict[str, list[Outcome]] = {}  # outcomes of this run by name of the family
+
+
+@dataclass(frozen=True)
+class Family:
+    """Scenes over one or two parameters.
+
+    Attributes:
+        name: Of its map, docs/images/stability_NAME.png.
+        title: Heading.
+        axes: What the parameters are, with their units; one or two.
+        values: Of each parameter; or None where `cases` are given.
+        outcome: Makes, solves and judges the scene with these parameters.
+        says: What the scene is.
+        means: What its map means for the choices of a user.
+        logarithmic: Whether each axis has a logarithmic scale.
+        chosen: Whether a combination is computed; all are by default.
+    """
+
+    name: str
+    title: str
+    axes: tuple[str, ...]
+    values: tuple[Sequence[float], ...]
+    outcome: Callable[..., Outcome]
+    says: str
+    means: str = ""
+    logarithmic: tuple[bool, ...] = (True, True)
+    chosen: Callable[..., bool] = lambda *case: True
+
+
+@cache
+def explore(family: Family) -> dict[tuple[float, ...], Outcome]:
+    """Outcomes of all scenes of a family by their parameters; computed once per process."""
+    logging.getLogger("braidx").setLevel(logging.ERROR)
+    cases = [case for case in itertools.product(*family.values) if family.chosen(*case)]
+    outcomes = with_slowness([family.outcome(*case) for case in cases])
+    DONE[family.name] = outcomes
+    for outcome in outcomes:
+        print(line(outcome))
+    return dict(zip(cases, outcomes, strict=True))
+
+
+def line(outcome: Outcome) -> str:
+    """One line about an outcome."""
+    case = ", ".join(f"{value:g}" for value in outcome.case)
+    return (
+        f"({case}): {outcome.status}, {outcome.iterations} iterations, {outcome.increments} increments, "
+        f"{outcome.cuts} more than asked; forces {outcome.force_error:.0e}, moments {outcome.moment_error:.0e}, "
+        f"penetration {outcome.penetration:.4f}, nearest {outcome.nearest:.3f}, energy {outcome.energy_error:+.3f}, "
+        f"{outcome.seconds:.1f} s {outcome.values or ''} {outcome.why}"
+    )
+
+
+def cases_with(
+    outcomes: dict[tuple[float, ...], Outcome], *statuses: str
+) -> set[tuple[float, ...]]:
+    """Parameters of the scenes that ended in one of these ways."""
+    return {case for case, outcome in outcomes.items() if outcome.status in statuses}
+
+
+def good(outcomes: dict[tuple[float, ...], Outcome]) -> set[tuple[float, ...]]:
+    """Parameters of the scenes that converged, if slowly."""
+    return cases_with(outcomes, CONVERGED, SLOW)
+
+
+def none_is_wrong(outcomes: dict[tuple[float, ...], Outcome]) -> bool:
+    """Whether all that failed said so."""
+    return not cases_with(outcomes, WRONG)
+
+
+def counts(outcomes: Sequence[Outcome]) -> str:
+    """How many ended in which way, in words."""
+    numbers = {s: sum(o.status == s for o in outcomes) for s in (CONVERGED, SLOW, FAILED, WRONG)}
+    return ", ".join(f"{number} {status}" for status, number in numbers.items())

