@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from ..system.terms import Floats
 from .equilibria import Equilibria
 from .inertia import InertiaTerm
 from .layout import Layout
+from .picture import draw_rods
 
 ALL = slice(None)
 
@@ -55,6 +57,18 @@ class RodState:
     def contacts(self) -> dict[str, npt.NDArray[Any]]:
         """Results per contact element, see Contact.results; "tubes" are numbers of rods."""
         return self.contact.results(self.q)
+
+    def draw(self, path: str | Path, by_tension: bool = False, **view: Any) -> Path:
+        """Draws the rods as a PNG, a colour for each or by tension; see draw_rods for the view.
+
+        The picture is drawn on the first process.
+        """
+        count = len(self.layout.first)
+        lines = [self.positions(rod) for rod in range(count)]
+        tension = [self.tension(rod) for rod in range(count)] if by_tension else None
+        if self.comm.rank == 0:
+            draw_rods(lines, list(self.layout.tubes.radius), Path(path), tension, **view)
+        return Path(path)
 
     def elastic_energy(self) -> float:
         """Stored in the rods, mJ."""

@@ -34,17 +34,26 @@ def tubes(
             then changes smoothly from segment to segment.
         yarns: The yarns to show; None shows all.
     """
+    chosen = list(range(snapshot.num_yarns) if yarns is None else yarns)
+    return tubes_along(
+        [snapshot.centre_lines[yarn] for yarn in chosen],
+        [float(snapshot.radius[yarn]) for yarn in chosen],
+        [colours[yarn] for yarn in chosen],
+    )
+
+
+def tubes_along(lines: Sequence[Array], radii: Sequence[float], colours: Sequence[Array]) -> Tubes:
+    """Round tubes along smoothed lines, shape (n_i, 3) each, mm; colours as in `tubes`."""
     rows: list[tuple[Array, ...]] = []
-    for yarn in range(snapshot.num_yarns) if yarns is None else yarns:
-        line, radius = snapshot.centre_lines[yarn], float(snapshot.radius[yarn])
+    for line, radius, given in zip(lines, radii, colours, strict=True):
         spacing = float(np.linalg.norm(np.diff(line, axis=0), axis=1).mean())
         pieces = int(np.clip(round(spacing / (1.5 * radius)), 1, 8))
         smooth = hermite(line, pieces)
         tangent = node_tangents(smooth)
         count = len(smooth) - 1
         place = np.linspace(0.5 / pieces, len(line) - 1 - 0.5 / pieces, count)
-        known = 0.5 + np.arange(len(colours[yarn]))
-        colour = np.stack([np.interp(place, known, channel) for channel in colours[yarn].T], axis=1)
+        known = 0.5 + np.arange(len(given))
+        colour = np.stack([np.interp(place, known, channel) for channel in given.T], axis=1)
         reach = np.full(count, radius)
         rows.append((smooth[:-1], smooth[1:], tangent[:-1], tangent[1:], reach, colour))
     return Tubes(*(np.concatenate(column) for column in zip(*rows)))
