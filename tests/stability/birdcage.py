@@ -55,10 +55,11 @@ def outcome(push: float, way: float) -> Outcome:
 FAMILY = Family(
     "birdcage",
     "A strand that is pushed",
-    ("strain of compression", "0: solve, 1: viscosity, 2: run"),
+    ("strain of compression", "how"),
     ((0.003, 0.01, 0.03, 0.1), (SOLVED, VISCOUS, MOVING)),
     outcome,
     "Three twisted yarns of a pitch and a half, clamped at their ends, are pulled by 0.2 %, let go, and pushed, with "
     "`solve`, with `solve` and a viscosity of 0.01 N/mm per node, and with `run` and `Scheme.backward_euler()`.",
     logarithmic=(True, False),
+    labels=("solve", "viscosity", "run"),
 )

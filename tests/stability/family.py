@@ -26,6 +26,7 @@ class Family:
         says: What the scene is.
         means: What its map means for the choices of a user.
         logarithmic: Whether each axis has a logarithmic scale.
+        labels: Of the values of the second parameter, where numbers say nothing.
         chosen: Whether a combination is computed; all are by default.
     """
 
@@ -37,6 +38,7 @@ class Family:
     says: str
     means: str = ""
     logarithmic: tuple[bool, ...] = (True, True)
+    labels: tuple[str, ...] = ()
     chosen: Callable[..., bool] = lambda *case: True
 
 

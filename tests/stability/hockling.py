@@ -53,10 +53,11 @@ def outcome(turns: float, way: float) -> Outcome:
 FAMILY = Family(
     "hockling",
     "A rod that is turned until it hockles",
-    ("turns", "0: solve, 1: run"),
+    ("turns", "how"),
     ((1.0, 2.0, 3.0, 4.0, 6.0), (SOLVED, MOVING)),
     outcome,
     "A rod of 200 radii under tension is turned at one end by tenths of a turn; from a torque of 2 √(EI T) on it "
     "leaves its line and forms a loop that touches itself.",
     logarithmic=(False, False),
+    labels=("solve", "run"),
 )

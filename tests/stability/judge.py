@@ -207,7 +207,7 @@ class Watch:
 
 
 def external_forces(rods: Rods, share: float) -> Floats:
-    """What supports, loads and the stabilisation do to the rods in their present state, shape (num_unknowns,), N and N mm.
+    """What supports, loads and stabilisation do to the rods as they are, shape (num_unknowns,), N and N mm.
 
     Args:
         share: Of the way that loads have gone.

@@ -52,10 +52,11 @@ def outcome(seed: float, fineness: float) -> Outcome:
 FAMILY = Family(
     "random",
     "Random scenes",
-    ("seed", "0: few increments, 1: many"),
+    ("seed", "increments"),
     (tuple(float(seed) for seed in range(20)), (COARSE, FINE)),
     outcome,
     "Two to five beams of random radii, moduli (100 MPa to 100 GPa), lengths, meshes, angles and friction lie above "
     "each other; they are pressed on each other and slid in random directions, in 3 and 6 or 10 and 20 increments.",
     logarithmic=(False, False),
+    labels=("few", "many"),
 )

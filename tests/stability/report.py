@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -11,26 +12,33 @@ from judge import FAILED, SLOW, WRONG, Outcome
 from maps import draw
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
+OUTCOMES = DOCS.parent / "results" / "stability.json"
 HEAD = f"""# The edge of stability
 
-What can be asked of [scenes of rods](howto_rods.md) before they get slow or fail, and that nothing fails in silence. This page and its
-maps are written by `./braidx test --stability`; its tests hold the frontiers where they were found.
+What can be asked of [scenes of rods](howto_rods.md) before they get slow or fail, and that nothing fails in silence.
+This page and its maps are written by `./braidx test --stability`; its tests hold the frontiers where they were found.
 
 Each symbol is a scene, and the number above it what it took in Newton iterations. One judge looks at all of them:
 
 - **converged**;
 - **slow**: more than {judge.SLOWNESS:g} times the median iterations of its family, or increments that had to be cut;
 - **failed cleanly**: `NotConverged`, with a message that says how far it got;
-- **wrong**: an answer that cannot be right, without a word. Forces and moments of supports and loads have to cancel (to
-  {judge.BALANCE:g}), penetrations to stay within their limit, centre lines, measured apart from the search for contact, not to come
-  nearer than radii and penetration say (by {judge.HIDDEN:g} of the sum of the radii) nor to cross each other on the way of an increment,
-  and the work of motions and loads has to be in the elastic energy, the friction, the stabilisation and the penalties (to
-  {judge.ENERGY:.0%}; of increments whose forces at begin and end differ, to what lies between).
+- **wrong**: an answer that cannot be right, without a word.
+
+To be right, forces and moments of supports and loads have to cancel (to {judge.BALANCE:g}); penetrations have to stay
+within their limit; centre lines, measured apart from the search for contact, may not come nearer than radii and
+penetration say (by {judge.HIDDEN:g} of the sum of the radii), nor cross each other on the way of an increment; and the
+work of motions and loads has to be in the elastic energy, the friction, the stabilisation and the penalties (to
+{judge.ENERGY:.0%}; of increments whose forces at begin and end differ, to what lies between). Where rods snap from one
+equilibrium to another, energy may be lost, but none may be made.
 """
 
 
 def write(families: Sequence[Family], done: dict[str, list[Outcome]]) -> None:
-    """Page and maps of the families; all of them have to be done."""
+    """Page and maps of the families; all of them have to be done. Outcomes are kept in results/stability.json."""
+    OUTCOMES.parent.mkdir(exist_ok=True)
+    kept = {name: [vars(outcome) for outcome in outcomes] for name, outcomes in done.items()}
+    OUTCOMES.write_text(json.dumps(kept), encoding="utf-8")
     parts = [HEAD, _table(families, done)]
     for family in families:
         outcomes = done[family.name]
@@ -91,3 +99,19 @@ def _named(outcomes: Sequence[Outcome], status: str, most: int = 12) -> list[str
     if len(chosen) > most:
         lines.append(f"- and {len(chosen) - most} more")
     return [*lines, ""]
+
+
+def rewrite() -> None:
+    """Page and maps again, from the outcomes of the last run: python3 tests/stability/report.py."""
+    from families import FAMILIES
+
+    kept = json.loads(OUTCOMES.read_text(encoding="utf-8"))
+    done = {
+        name: [Outcome(**{**values, "case": tuple(values["case"])}) for values in outcomes]
+        for name, outcomes in kept.items()
+    }
+    write([family for family in FAMILIES if family.name in done], done)
+
+
+if __name__ == "__main__":
+    rewrite()

@@ -13,6 +13,11 @@ inline ContactElements pair_up(const Rods& rods, const ContactElements& previous
     return make_contact_elements({rods.tubes, {}, rigid, rods.skins}, rods.q, previous, options);
 }
 
+/// Gap of an element now.
+inline double gap(const Rods& rods, const ContactElement& e) {
+    return local_system(rods.surfaces(), e, rods.q).gap;
+}
+
 /// Two sheets, facets of different kinds and sizes, the upper one `depth` deep in the lower one.
 inline Rods two_sheets(FacetKind below, FacetKind above, double depth = 0.02) {
     Rods rods;
