@@ -8,6 +8,7 @@ from mpi4py import MPI
 from ..contact.contact import Contact
 from ..solver.increment import Increment, Incrementer, IncrementOptions
 from ..solver.newton import Newton, NewtonOptions
+from ..solver.trial import Diverged
 from ..system.global_system import GlobalSystem
 from ..system.proximal import ProximalTerm
 from ..system.terms import BodyTerm, Floats, LoadTerm, Term
@@ -16,6 +17,7 @@ from .first_guess import refuse_folds
 from .inertia import InertiaTerm
 from .layout import Layout
 from .loads import Loads
+from .passing import refuse_passing
 from .supports import Supports
 
 
@@ -60,13 +62,16 @@ class Equilibria:
             newton, self._contact, self._proximal, conservative=not self._loads.has_couples
         )
 
-    def find(self, start: Floats, first: Floats, share: float, blind: bool = False) -> Increment:
+    def find(
+        self, start: Floats, first: Floats, share: float, blind: bool = False, leap: bool = False
+    ) -> Increment:
         """The equilibrium at a share of the way.
 
         Args:
             start: The one before, shape (num_unknowns,).
             first: First guess; held unknowns go where they are asked to go.
             blind: Whether the guess knows nothing of where they go, and may fold elements beside them.
+            leap: Whether rods may get there by any way, through each other, too.
         Raises:
             Diverged: If there is none to be found.
         """
@@ -74,7 +79,16 @@ class Equilibria:
         fitting = self.system.expand(self.system.free_values(first))
         if blind:
             refuse_folds(self._layout, start, fitting)
-        return self._incrementer.solve(start, fitting, self._options)
+        elements = self._contact.elements.copy()
+        found = self._incrementer.solve(start, fitting, self._options)
+        if leap:
+            return found
+        try:
+            refuse_passing(self._layout, self._contact, start, found.q)
+        except Diverged:
+            self._contact.restore(elements)
+            raise
+        return found
 
     def start_moving(self, q: Floats) -> None:
         """Gives inertia the forces on the state q, and the accelerations that go with them."""

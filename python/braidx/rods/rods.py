@@ -189,7 +189,8 @@ class Rods(RodState):
         Args:
             increments: Their number.
             max_cuts: How often an increment may be halved.
-            guess: First guess of the state at the end, shape (num_unknowns,), where one is better than the way so far.
+            guess: First guess of the state at the end, shape (num_unknowns,), where one is better than the way so far;
+                the way there may go through other rods.
             observe: Called after each increment with the share of the way that is done.
         Raises:
             NotConverged: If no equilibrium is found; the state is the last one that was, motions and loads stay there.
@@ -201,7 +202,8 @@ class Rods(RodState):
             first = self.q + before
             if guess is not None:
                 first = self.q + (guess - self.q) * (end - begin) / (1.0 - begin)
-            return self._equilibria.find(self.q, first, end, blind=guess is None)
+            given = guess is not None
+            return self._equilibria.find(self.q, first, end, blind=not given, leap=given)
 
         return self._follow(step, increments, max_cuts, observe)
 

@@ -277,15 +277,17 @@ _given: dict[str, object] = {}
 
 
 def _set_options(values: Mapping[str, object]) -> None:
-    """Replaces the options given to PETSc, whose table is one for all: those of an earlier solver do not stay."""
-    if values == _given:
-        return  # PETSc tells at its end which options nobody asked for since they were set
+    """Replaces the options given to PETSc, whose table is one for all: those of an earlier solver do not stay.
+
+    Those that stay the same are left alone: PETSc tells at its end which options nobody asked for since they were set.
+    """
     options = PETSc.Options(PREFIX)
-    for key in _given:
+    for key in [key for key in _given if key not in values]:
         options.delValue(key)
+        del _given[key]
     for key, value in values.items():
-        options[key] = value
-    _given.clear()
+        if _given.get(key) != value:
+            options[key] = value
     _given.update(values)
 
 

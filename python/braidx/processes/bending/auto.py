@@ -29,7 +29,7 @@ from .model import BentRope
 from .stretches import Stretch, with_solid
 
 SECTION = 0.05  # largest strain of a section
-# Nominal pressure over the transverse modulus. At 0.15 beams slide as solids do, to 7 % (docs/bending.md).
+# Nominal pressure over the transverse modulus. At 0.15 beams slide as solids do, to 5 % (docs/bending.md).
 PRESSURE = 0.2
 BESIDE = "yarns beside it are solid"
 STRESS = "von_mises_max"  # what only solids have
