@@ -42,4 +42,7 @@ FAMILY = Family(
     "A beam of 30 radii lies on a clamped one of 80 radii, pressed by a line load, and is pulled along it by its rear "
     "end, half a radius per increment, until a quarter of it is beyond the other's end.",
     logarithmic=(True, False),
+    means=(
+        "Ends and boundaries pass; they cost cut increments, most with elements shorter than an increment."
+    ),
 )

@@ -12,11 +12,13 @@ import mismatch
 import penalty
 import random_scenes
 import refinement
+import remedies
 import slenderness
 import units
 
 FAMILIES = (
     crossing_angle.FAMILY,
+    remedies.FAMILY,
     friction.FAMILY,
     penalty.FAMILY,
     slenderness.BENT,

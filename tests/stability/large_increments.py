@@ -38,4 +38,10 @@ FAMILY = Family(
     "Beams that cross at 60 degrees are pressed on each other by two radii and slid by six; all in increments of a "
     "hundredth to all of the slide.",
     logarithmic=(True, False),
+    means=(
+        "Steps of 0.6 radii are as good as a tenth of that. Larger ones are cut where they would squeeze an "
+        "element by more than a fifth, since a beam that Newton has folded stays folded: before, steps of 3 "
+        "radii ended there, with 2.8 times the force and without a word. Forces differ by less than 0.1 %, "
+        "also with friction."
+    ),
 )

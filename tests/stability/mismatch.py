@@ -37,4 +37,5 @@ FAMILY = Family(
     outcome,
     "Beams that cross are pressed on each other by two radii with a friction of 0.2. The shorter elements are one "
     "radius long.",
+    means=("Meshes of 1 : 20 neither cost iterations nor change forces by more than 0.7 %."),
 )

@@ -35,4 +35,9 @@ FAMILY = Family(
     "Beams that cross at 60 degrees are pressed on each other by two radii and slid by six with a friction of 0.3. "
     "Penalties are per length of contact; with a limit they grow until penetrations are below it.",
     logarithmic=(True, False),
+    means=(
+        "Leave the penalty alone, or choose it within a tenth and ten times the modulus of the softest beam: "
+        "stiffer ones cost iterations, softer ones penetrate (without a limit), and friction, which acts on "
+        "both surfaces, then leaves a moment of the penetration times its force."
+    ),
 )

@@ -19,4 +19,8 @@ FAMILY = Family(
     ((1e2, 1e3, 1e4, 1e5), (8.0, 16.0, 32.0, 64.0, 128.0)),
     outcome,
     "The cantilever bent by a force, in ten increments, with more and fewer elements.",
+    means=(
+        "Errors of 0.2 % of the length need elements of 6 radii at slenderness 100, 31 at 1000, 78 at 1e4. "
+        "What is wrong here is too coarse: look at the answer of twice as many elements before you trust one."
+    ),
 )

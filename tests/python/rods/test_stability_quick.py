@@ -68,3 +68,14 @@ def test_a_motion_that_has_no_equilibrium_fails_with_a_message() -> None:
     rods.move(0, -1, by=(-15.0, 0.0, 0.0))
     with pytest.raises(NotConverged, match="no equilibrium at"):
         rods.solve(1, max_cuts=1)
+
+
+def test_a_rod_does_not_go_through_another_in_one_increment() -> None:
+    lines = [straight((-30, 0, 0), (30, 0, 0), 24), straight((0, -30, 5), (0, 30, 5), 24)]
+    rods = Rods([Beam(line, 1.0, YarnMaterial.isotropic(1000.0, 0.3)) for line in lines])
+    rods.clamp(0, [0, -1])
+    rods.hold(1, slice(None), slice(0, 3))
+    rods.move(1, slice(None), by=(0.0, 0.0, -6.0))
+    rods.solve(1)
+    middle = [rods.positions(rod)[12] for rod in (0, 1)]
+    assert middle[1][2] - middle[0][2] == pytest.approx(2.0, abs=0.1)
