@@ -25,6 +25,8 @@ from braidx.geometry import build_rope
 from braidx.scene import Scene, SceneError, load_scene
 from braidx.scene.reference import json_schema, markdown
 
+FILE_WIDTH = 120  # columns of what is printed into files and pipes
+
 app = typer.Typer(
     name="braidx",
     help="Mechanics of braided and twisted ropes at the scale of their yarns.",
@@ -144,4 +146,7 @@ def _run(scene: Scene, out: Path | None, resume: bool) -> None:
 
 
 def _console() -> Console:
-    return Console(quiet=rank() != 0)
+    console = Console(quiet=rank() != 0)
+    if not console.is_terminal:
+        console.width = FILE_WIDTH
+    return console

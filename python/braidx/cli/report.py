@@ -100,7 +100,11 @@ def results_table(summary: dict[str, Any]) -> Table:
     state = "converged" if summary["converged"] else "not converged"
     table = Table(title=f"{summary['scene']}: {state}", title_justify="left")
     for heading in ("result", "value", "unit", "reference", "met", "source"):
-        table.add_column(heading, justify="right" if heading in ("value", "reference") else "left")
+        table.add_column(
+            heading,
+            justify="right" if heading in ("value", "reference") else "left",
+            no_wrap=heading in ("result", "value"),  # where lines are short the source wraps
+        )
     for name, result in summary["results"].items():
         met = {True: "yes", False: "[bold red]no", None: ""}[result["met"]]
         reference = _number(result["reference"])
