@@ -43,6 +43,7 @@ FAMILY = Family(
     "end, half a radius per increment, until a quarter of it is beyond the other's end.",
     logarithmic=(True, False),
     means=(
-        "Ends and boundaries pass; they cost cut increments, most with elements shorter than an increment."
+        "Boundaries and ends pass, at the price of cut increments: most with elements of one or two radii, "
+        "few with those of ten."
     ),
 )

@@ -29,8 +29,10 @@ FAMILY = Family(
     "six radii, and back by twelve, half a radius per increment.",
     logarithmic=(False, False),
     means=(
-        "Coefficients up to 1 and reversals are safe; drag over lift is the coefficient, plus a share of 1 % "
-        "that is there without friction. Angles of 5 to 30 degrees take two to three times the iterations. "
-        "Slightest friction helps: without it sliding at 15 degrees is the slowest scene of this map."
+        "Coefficients up to 1 and reversals are safe, and drag over lift is the coefficient, within 0.015 "
+        "from 30 degrees on. At 5 and 15 degrees it takes two to three times the iterations; slowest is 15 "
+        "degrees without friction. Scenes of 5 to 30 degrees are called slow because the first increment of "
+        "each motion is cut: half a radius would squeeze an element of four radii (two between nodes) by more "
+        "than a fifth."
     ),
 )

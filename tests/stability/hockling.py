@@ -61,9 +61,10 @@ FAMILY = Family(
     logarithmic=(False, False),
     labels=("solve", "run"),
     means=(
-        "`solve` stops with a message where the loop snaps, as it should: there is no equilibrium near. `run` "
-        "goes on, but a loop that snaps shut gets so tight that it goes through itself within the distance "
-        "that `self_contact` leaves out (5 radii): what is wrong here is open. Compare the turns of the rod, "
-        "link = twist + writhe, before and after such a run."
+        "`solve` stops with a message where the rod snaps to a loop. `run` goes on, but after that snap at "
+        "four turns the rod has nearly the length of one with fewer turns, and overlaps itself by 10 % of a "
+        "diameter unseen: it is wrong, and open. The suspicion is that it goes through itself within the 5 "
+        "radii that `self_contact` leaves out. Before increments were looked at on their way it plainly went "
+        "through itself."
     ),
 )

@@ -39,9 +39,8 @@ FAMILY = Family(
     "hundredth to all of the slide.",
     logarithmic=(True, False),
     means=(
-        "Steps of 0.6 radii are as good as a tenth of that. Larger ones are cut where they would squeeze an "
-        "element by more than a fifth, since a beam that Newton has folded stays folded: before, steps of 3 "
-        "radii ended there, with 2.8 times the force and without a word. Forces differ by less than 0.1 %, "
-        "also with friction."
+        "Forces differ by less than 0.1 % whatever the increments, also with friction. Increments that would "
+        "squeeze an element by more than a fifth are cut, since a beam that Newton has folded stays folded: "
+        "before, steps of 3 radii ended there, with 2.8 times the force and without a word."
     ),
 )

@@ -60,7 +60,7 @@ def _set_scales(axes: plt.Axes, family: Family) -> None:
         axes.set_ylabel(family.axes[1])
         axes.set_yscale("log" if family.logarithmic[1] else "linear")
         _set_ticks(axes.yaxis, family.values[1])
-        if getattr(family, "labels", ()):
+        if family.labels:
             axes.set_yticks(list(family.values[1]), family.labels)
     else:
         axes.set_yticks([])

@@ -20,7 +20,8 @@ FAMILY = Family(
     outcome,
     "The cantilever bent by a force, in ten increments, with more and fewer elements.",
     means=(
-        "Errors of 0.2 % of the length need elements of 6 radii at slenderness 100, 31 at 1000, 78 at 1e4. "
-        "What is wrong here is too coarse: look at the answer of twice as many elements before you trust one."
+        "To be right within 0.2 % of the length takes elements of 6 radii at a slenderness of 100, 31 at 1000 "
+        "and 78 at 1e4; at 1e5, 128 elements are still off by 0.6 %. What is wrong here is too coarse, and "
+        "nothing but a finer mesh tells."
     ),
 )
