@@ -18,7 +18,8 @@ HEAD = f"""# The edge of stability
 What can be asked of [scenes of rods](howto_rods.md) before they get slow or fail, and that nothing fails in silence.
 This page and its maps are written by `./braidx test --stability`; its tests hold the frontiers where they were found.
 
-Each symbol is a scene, and the number above it what it took in Newton iterations. One judge looks at all of them:
+Each symbol is a scene, and the number above it the Newton iterations of all calls that did not fail. One judge looks at
+all of them:
 
 - **converged**;
 - **slow**: more than {judge.SLOWNESS:g} times the median iterations of its family, or increments that had to be cut;
