@@ -12,8 +12,8 @@ from petsc4py import PETSc
 from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
 from .lagged import LaggedFactors
+from .petsc_options import PREFIX, set_options
 
-PREFIX = "braidx_"  # of PETSc's options
 NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
 INDEFINITE = "the tangent is not positive definite"
 LINE_SEARCH = "snes_linesearch_type"
@@ -106,7 +106,8 @@ class Newton:
 
     def restore_options(self) -> None:
         """Tolerance and number of iterations as the options say."""
-        self.tolerance, self.max_iterations = self.options.tolerance, self.options.max_iterations
+        options = self.options
+        self.tolerance, self.max_iterations = options.tolerance, options.max_iterations
 
     @property
     def _lags(self) -> bool:
@@ -145,9 +146,9 @@ class Newton:
             ksp.setOptionsPrefix(f"{PREFIX}outer_")
             ksp.getPC().setType("python")
             ksp.getPC().setPythonContext(self._lagged)
-            _set_options(petsc)
+            set_options(petsc)
         else:
-            _set_options({**self._choose_factors(ksp.getPC()), **petsc})
+            set_options(petsc, self._choose_factors(ksp.getPC()))
         snes.setFromOptions()
         return snes
 
@@ -207,15 +208,20 @@ class Newton:
             reason = INDEFINITE if error.ierr == NOT_FACTORISED else f"PETSc error {error.ierr}"
             converged = False
         iterations, solves = snes.getIterationNumber(), snes.getLinearSolveIterations()
+        if reason.startswith("PETSc"):
+            self._leave_locked_vectors()
         if self._lags and self._lagged is not None:
             solves = self._lagged.solves - begun
-        return NewtonResult(
-            converged,
-            before + iterations,
-            before + solves,
-            self._relative(),
-            reason,
-        )
+        before_and_now = before + iterations, before + solves
+        return NewtonResult(converged, *before_and_now, self._relative(), reason)
+
+    def _leave_locked_vectors(self) -> None:
+        """An error in the middle of a solve leaves its vectors locked, and what it was solved with in disorder."""
+        values = self.system.vector.array_r.copy()
+        self.system.vector = self.system.vector.duplicate()
+        self.system.vector.array[:] = values
+        self._residual = self.system.vector.duplicate()
+        self.renew(self.indefinite)
 
     def residual(self, q: Floats) -> float:
         """Relative residual at q."""
@@ -271,24 +277,6 @@ def _may_lag(options: NewtonOptions) -> bool:
     """Unless the user chooses a solver."""
     chosen = any(key.startswith(("ksp_", "pc_")) for key in options.petsc or {})
     return options.lagged and not chosen
-
-
-_given: dict[str, object] = {}
-
-
-def _set_options(values: Mapping[str, object]) -> None:
-    """Replaces the options given to PETSc, whose table is one for all: those of an earlier solver do not stay.
-
-    Those that stay the same are left alone: PETSc tells at its end which options nobody asked for since they were set.
-    """
-    options = PETSc.Options(PREFIX)
-    for key in [key for key in _given if key not in values]:
-        options.delValue(key)
-        del _given[key]
-    for key, value in values.items():
-        if _given.get(key) != value:
-            options[key] = value
-    _given.update(values)
 
 
 def _reason_name(code: int) -> str:
