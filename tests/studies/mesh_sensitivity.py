@@ -2,8 +2,8 @@
 
     ./braidx shell python3 tests/studies/mesh_sensitivity.py
 
-The sample is one pitch long and bent less than the demo's, so that yarns of solids from end to end stay affordable. It is
-formed alike for all meshes.
+The sample is one pitch long and bent less than the demo's, so that yarns of solids from end to end stay affordable.
+It is formed alike for all meshes.
 """
 
 from study import QUICK, Case, Study, main
