@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from test_resume import kill_after
 
+from braidx.processes.bending.bender import PAIRED
+
 SCENE = Path(__file__).parent / "small_bend.toml"
 
 
@@ -49,8 +51,14 @@ def test_solid_yarns_about_the_crown_slide_as_beams_do(run, bent, tmp_path):
 def test_two_processes_bend_as_one(run, bent, tmp_path):
     two = run(tmp_path / "two", scene=SCENE, ranks=2)
     assert two.code == 0, two.stderr
-    for name in ("relative_displacement", "end_force", "friction_work"):
-        assert two.values[name] == pytest.approx(bent.values[name], rel=1e-3), name
+    # Two processes sum in no fixed order. Contact updates stop at a residual of PAIRED, some of them one earlier or later
+    # then: the work of friction, which sums over all increments, shows that.
+    for name, rel in (
+        ("relative_displacement", 1e-3),
+        ("end_force", 1e-3),
+        ("friction_work", 2 * PAIRED),
+    ):
+        assert two.values[name] == pytest.approx(bent.values[name], rel=rel), name
 
 
 def test_a_bend_that_was_killed_goes_on(run, bent, tmp_path):
