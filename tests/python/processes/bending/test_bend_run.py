@@ -51,8 +51,8 @@ def test_solid_yarns_about_the_crown_slide_as_beams_do(run, bent, tmp_path):
 def test_two_processes_bend_as_one(run, bent, tmp_path):
     two = run(tmp_path / "two", scene=SCENE, ranks=2)
     assert two.code == 0, two.stderr
-    # Two processes sum in no fixed order. Contact updates stop at a residual of PAIRED, some of them one earlier or later
-    # then: the work of friction, which sums over all increments, shows that.
+    # Two processes sum in no fixed order. Contact updates stop at a residual of PAIRED, some of them one earlier or
+    # later then: the work of friction, which sums over all increments, shows that.
     for name, rel in (
         ("relative_displacement", 1e-3),
         ("end_force", 1e-3),
