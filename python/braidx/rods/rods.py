@@ -18,7 +18,7 @@ from .equilibria import Equilibria
 from .inertia import InertiaTerm, Scheme
 from .layout import lay_out
 from .loads import Loads
-from .path import NotConverged, follow
+from .path import follow
 from .rod import Rod
 from .state import ALL, RodState
 from .supports import Motion, Supports
@@ -271,12 +271,7 @@ class Rods(RodState):
             observe(share)
 
         try:
-            found = follow(step, self.q, increments, max_cuts, accept)
-        except NotConverged:
-            self.supports.held, self.supports.means = self.supports.advanced(done)
-            self.supports.drop()
+            return follow(step, self.q, increments, max_cuts, accept)
+        finally:
+            self.supports.finish(done)
             self.loads.finish(done)
-            raise
-        self.supports.finish()
-        self.loads.finish(1.0)
-        return found

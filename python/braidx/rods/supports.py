@@ -103,13 +103,9 @@ class Supports:
             means[group] += share * by
         return held, means
 
-    def finish(self) -> None:
-        """All motions are done."""
-        self.held, self.means = self.advanced(1.0)
-        self.drop()
-
-    def drop(self) -> None:
-        """What is left of motions is not done."""
+    def finish(self, share: float) -> None:
+        """Motions end at this share of them; what is left is not done."""
+        self.held, self.means = self.advanced(share)
         self._motions.clear()
         self._shifts.clear()
 

@@ -106,8 +106,7 @@ class Newton:
 
     def restore_options(self) -> None:
         """Tolerance and number of iterations as the options say."""
-        options = self.options
-        self.tolerance, self.max_iterations = options.tolerance, options.max_iterations
+        self.tolerance, self.max_iterations = self.options.tolerance, self.options.max_iterations
 
     @property
     def _lags(self) -> bool:
@@ -212,8 +211,13 @@ class Newton:
             self._leave_locked_vectors()
         if self._lags and self._lagged is not None:
             solves = self._lagged.solves - begun
-        before_and_now = before + iterations, before + solves
-        return NewtonResult(converged, *before_and_now, self._relative(), reason)
+        return NewtonResult(
+            converged,
+            before + iterations,
+            before + solves,
+            self._relative(),
+            reason,
+        )
 
     def _leave_locked_vectors(self) -> None:
         """An error in the middle of a solve leaves its vectors locked, and what it was solved with in disorder."""

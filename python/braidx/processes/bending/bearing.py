@@ -12,9 +12,7 @@ from ...solver.increment import Increment
 from ...solver.trial import Diverged
 from ...system.constraints import Floats
 
-BALANCED = (
-    0.01  # moment that may be left, of what the friction forces would have if they all went one way
-)
+BALANCED = 0.01  # moment that may be left, over that of friction forces which all go one way
 GROWTH = 4.0  # of the turn, until the moment changes its sign
 MOST = 24  # turns tried in an increment
 

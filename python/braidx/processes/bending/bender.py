@@ -34,7 +34,6 @@ class Bender:
         self.pretension = state.progress.get("pretension", 0.0)
         self._moved = state.progress.get("moved", 0.0)
         self._turn = 0.0  # of the sheave in the last increment, radians
-        self._first = state.q
         scene = model.scene
         self._options = IncrementOptions(
             pairing_tolerance=PAIRED,
@@ -62,26 +61,27 @@ class Bender:
         factor = CALM * 4.0**cuts
         model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
         model.move(self.travel + step, self.pretension)
-        self._first = system.expand(system.free_values(self._predict(step)))
+        first = system.expand(system.free_values(self._predict(step)))
         if not model.sheave.turns_freely:
-            return self._turned(model.sheave.turn(model.scene, step))
-        return self._balanced(step)
+            return self._turned(model.sheave.turn(model.scene, step), first)
+        return self._balanced(step, first)
 
-    def _turned(self, angle: float) -> Increment:
-        """The increment while the sheave turns by an angle (radians)."""
+    def _turned(self, angle: float, first: Floats) -> Increment:
+        """The increment from a first guess of its end, while the sheave turns by an angle (radians)."""
         self._turn = angle
         self.model.contact.rigid = [self.model.sheave.surface(angle)]
-        return self.model.incrementer.solve(self.state.q, self._first, self._options)
+        return self.model.incrementer.solve(self.state.q, first, self._options)
 
-    def _balanced(self, step: float) -> Increment:
+    def _balanced(self, step: float, first: Floats) -> Increment:
         """The increment while the sheave turns as friction takes it along."""
         contact, sheave = self.model.contact, self.model.sheave
         before = contact.elements.copy()
 
         def solve(angle: float) -> Increment:
+            nonlocal first
             contact.restore(before.copy())
-            increment = self._turned(angle)
-            self._first = increment.q  # near the next one
+            increment = self._turned(angle, first)
+            first = increment.q  # near the next one
             return increment
 
         def moment(increment: Increment) -> tuple[float, float]:
