@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 
 import ufl
 
-from .curve import Part, arc_derivative, gauss, nodal
+from .curve import LIKE_NODES, Nodes, Part, arc_derivative, at_nodes, change_of_slope, gauss
 from .materials import (
     Strain,
     TransverselyIsotropic,
@@ -50,6 +50,7 @@ class Frame(NamedTuple):
     slope: Any  # x', shape (3,)
     directors: tuple[Any, Any]  # g1, g2, shape (3,), -
     rates: tuple[Any, Any]  # g1', g2', shape (3,), 1/mm
+    change: Any  # of the slope along an element, shape (3,), -
 
 
 def _third(vector: Any, i: int) -> Any:
@@ -63,6 +64,7 @@ def current_frame(unknowns: Any, tangent: Any) -> Frame:
         slope=_third(rate, 0),
         directors=(_third(unknowns, 1), _third(unknowns, 2)),
         rates=(_third(rate, 1), _third(rate, 2)),
+        change=_third(change_of_slope(unknowns, tangent), 0),
     )
 
 
@@ -86,6 +88,17 @@ def centroid_strain(now: Frame, rest: Frame) -> Strain:
         e13=half_change(g1, now.slope, rest_g1, rest.slope),
         e23=half_change(g2, now.slope, rest_g2, rest.slope),
     )
+
+
+def smooth_strain(now: Frame, rest: Frame, nodes: Nodes) -> Strain:
+    """Strain on the axis at nodes, where e33 is that of the line through its values at the Gauss points.
+
+    In a bent element of degree 2 the axial strain itself is a parabola that vanishes at the Gauss points only. Sections
+    that were to contract by it would narrow and widen from node to node, which locks the bending of thin rods.
+    """
+    strain = centroid_strain(now, rest)
+    bow = ufl.dot(now.change, now.change) - ufl.dot(rest.change, rest.change)
+    return strain._replace(e33=strain.e33 - 0.5 * nodes.beyond_gauss * bow)
 
 
 def stretching_energy(strain: Strain, section: Section, law: TransverselyIsotropic) -> Any:
@@ -135,8 +148,11 @@ def energy(
     strain = centroid_strain(now, rest)
     axis = stretching_energy(strain, section, law) + section.shear_area * shear_energy(strain, law)
     turning = bending_energy(now, rest, section, law) + torsion_energy(now, rest, section, law)
-    stretch = section.area * section_energy(strain, law)
-    return [gauss(axis + turning, num_points=degree), nodal(stretch, degree)]
+    stretch = [
+        at_nodes(section.area * section_energy(smooth_strain(now, rest, nodes), law), nodes)
+        for nodes in LIKE_NODES[degree]
+    ]
+    return [gauss(axis + turning, num_points=degree), *stretch]
 
 
 def axial_force(now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic) -> Any:

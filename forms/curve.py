@@ -29,6 +29,26 @@ def nodal(density: Any, degree: int) -> Part:
     return Part(density, 2 * degree - 1, "GLL")
 
 
+class Nodes(NamedTuple):
+    """Nodes of an element that lie alike, as points of its Gauss-Lobatto rule."""
+
+    points: tuple[float, ...]  # in the reference cell, 0 to 1
+    weight: float  # of each
+    beyond_gauss: float  # squared distance from the middle, less that of the points of `gauss`
+
+
+LIKE_NODES = {
+    1: (Nodes((0.0, 1.0), 1.0 / 2.0, 1.0 / 4.0),),
+    2: (Nodes((0.0, 1.0), 1.0 / 6.0, 1.0 / 6.0), Nodes((0.5,), 2.0 / 3.0, -1.0 / 12.0)),
+}
+
+
+def at_nodes(density: Any, nodes: Nodes) -> Part:
+    """Share of `nodal` that is integrated at some of the nodes."""
+    points = tuple((at,) for at in nodes.points)
+    return Part(density, 1, "custom", points, (nodes.weight,) * len(points))
+
+
 def integral(part: Part, mesh: ufl.Mesh) -> ufl.Form:
     """Integral of a part over the reference configuration, mJ."""
     quadrature: dict[str, Any] = {
@@ -50,3 +70,13 @@ def unit_tangent(mesh: ufl.Mesh) -> Any:
 def arc_derivative(field: Any, tangent: Any) -> Any:
     """Derivative of a vector field by the reference arc length; same shape as `field`, per mm."""
     return ufl.dot(ufl.grad(field), tangent)
+
+
+def change_of_slope(field: Any, tangent: Any) -> Any:
+    """Change of a field's derivative by arc length from one end of an element to the other, same shape as `field`.
+
+    Constant in elements of degree 2 whose middle node is in the middle, zero for degree 1.
+    """
+    jacobian = ufl.Jacobian(ufl.domain.extract_unique_domain(tangent))
+    bend = ufl.dot(ufl.dot(ufl.grad(ufl.grad(field)), tangent), tangent)
+    return ufl.sqrt(ufl.inner(jacobian, jacobian)) * bend
