@@ -25,9 +25,9 @@ from ..system.constraints import Floats
 from .directors import with_directors
 from .model import RopeModel
 from .outcome import NotConverged, Outcome
+from .rope_contact import AXIS, core_walls, set_friction
 from .state import State
 
-AXIS = np.array([0.0, 0.0, 1.0])
 STRETCH = 10.0  # axial stiffness over tension: holds nodes apart within an increment
 DENSER = 0.7  # penetration over radius below which stations stand as dense as they will
 PRESSED = 0.06  # penetration over radius at which nodes are no longer spread
@@ -87,15 +87,14 @@ class Former:
         self._beams = model.body.block == 9
         self._turning = element**2 if self._keeps_lengths or self._beams else 0.0
         contact = model.contact
-        contact.laws.friction = [0.0]
+        set_friction(contact, 0.0, 0.0)
         # A rope that is far from its rest gains nothing from the exact tangent.
         contact.symmetrised = True
         contact.laws.gap_step = step.gap_reduction * radius
         contact.pairing.keep_side = False
         self._spacing = contact.pairing.spacing
-        core = scene.core
         # Whatever it is made of: yarns under a small tension find their places on it.
-        self._core = [engine.make_cylinder(0 * AXIS, AXIS, core.radius, False, 0)] if core else []
+        self._core = core_walls(scene)
         self._number = {
             "done": 0.0,
             "separated": 0.0,
@@ -172,7 +171,7 @@ class Former:
             pairs = ", ".join(f"{a}-{b}" for a, b in contact.worst_pairs())
             raise NotConverged(
                 f"the rope is not formed after {self._number['done']:.0f} increments: penetration {deepest:.3f} mm "
-                f"(wanted {self._tolerance:.3f}), {wrong} crossings on the wrong side, deepest between yarns {pairs}; "
+                f"(wanted {self._tolerance:.3f}), {wrong} crossings on the wrong side, deepest between yarns {pairs or 'none'}; "
                 "try a larger form.die_diameter or braid.helix_radius, more form.increments, or thinner yarns"
             )
 
@@ -208,9 +207,8 @@ class Former:
             newton.bold = True
             contact.laws.gap_step = -1.0
             friction = self.step.friction
-            contact.laws.friction = [
-                self.model.scene.contact.friction if friction is None else friction
-            ]
+            friction = self.model.scene.contact.friction if friction is None else friction
+            set_friction(contact, friction, friction)
         for retry in range(RETRIES + 1):
             viscosity = self._viscosity * 2**retry
             self.model.set_viscosity(viscosity, self._turning * viscosity)
@@ -223,7 +221,7 @@ class Former:
                 last = failure
         pairs = ", ".join(f"{a}-{b}" for a, b in self.model.contact.worst_pairs())
         raise NotConverged(
-            f"forming stopped: {last}; deepest contacts between yarns {pairs}; try a smaller form.gap_reduction, "
+            f"forming stopped: {last}; deepest contacts between yarns {pairs or 'none'}; try a smaller form.gap_reduction, "
             "a higher form.viscosity or a larger form.die_diameter"
         )
 

@@ -19,6 +19,8 @@ from ..system.constraints import Floats
 from .threads import num_threads
 
 WINDOW = 0.1  # of a pitch: how far to either side of its crossing a yarn is held to its side
+AXIS = np.array([0.0, 0.0, 1.0])
+YARN, CORE = range(2)  # bodies
 
 
 def make_contact(
@@ -64,8 +66,26 @@ def make_contact(
     penalty = scene.contact.penalty
     contact.pairing.stiffness = penalty or 0.01 * scene.yarn.axial_stiffness / scene.yarn.radius**2
     contact.pairing.crossing.by_point = True
-    contact.laws.friction = [scene.contact.friction]
+    contact.rigid = core_walls(scene)
+    if contact.rigid:
+        contact.laws.num_bodies = contact.pairing.num_bodies = 2
+    # A core that does not stretch would hold a rope back the more, the farther a pitch is from the end that stays: what
+    # holds for one pitch holds for all of them without friction only.
+    set_friction(contact, scene.contact.friction, 0.0)
     return contact
+
+
+def core_walls(scene: Scene) -> list[Any]:
+    """The core, if there is one, as a rigid cylinder (engine object), whatever it is made of."""
+    if scene.core is None:
+        return []
+    return [engine.make_cylinder(0 * AXIS, AXIS, scene.core.radius, False, CORE)]
+
+
+def set_friction(contact: Contact, yarns: float, core: float) -> None:
+    """Coefficients of friction between yarns, and of yarns on the core."""
+    both = contact.laws.num_bodies == 2
+    contact.laws.friction = [yarns, core, core, 0.0] if both else [yarns]
 
 
 def set_options(contact: Contact, scene: Scene) -> None:

@@ -8,7 +8,8 @@ import numpy as np
 from mpi4py import MPI
 
 from ..contact.contact import Contact
-from ..output.snapshot import ContactTable, Snapshot, repeated
+from ..output.contact_table import YARN_CORE, YARN_YARN, ContactTable
+from ..output.snapshot import Snapshot, repeated
 from .state import State
 
 if TYPE_CHECKING:
@@ -43,10 +44,12 @@ def rope_picture(model: RopeModel, state: State, name: str) -> Snapshot:
 
 def _contact_table(model: RopeModel, q: np.ndarray) -> ContactTable:
     whole = gathered_results(model.comm, model.contact, q)
-    yarns = whole["tubes"][:, 1] >= 0
-    kept = {name: values[yarns] for name, values in whole.items()}
+    other = whole["tubes"][:, 1]
+    # A die, which comes after the core, is no part of the rope.
+    kept = {name: values[other >= (-1 if model.scene.core else 0)] for name, values in whole.items()}
     a, b = kept["tubes"].astype(np.int64).T
-    return ContactTable(**contact_columns(kept), yarn_a=a, yarn_b=b)
+    kind = np.where(b < 0, YARN_CORE, YARN_YARN)
+    return ContactTable(**contact_columns(kept), yarn_a=a, yarn_b=b, kind=kind)
 
 
 def gathered_results(comm: MPI.Comm, contact: Contact, q: np.ndarray) -> dict[str, np.ndarray]:

@@ -21,7 +21,7 @@ class Core(Table):
         "solid",
         choices=("solid", "beam", "rigid"),
         doc="Solid: finite elements in three dimensions. Beam: one yarn along the axis, whose section deforms "
-        "uniformly. Rigid: a cylinder that neither bends nor moves.",
+        "uniformly. Rigid: a cylinder that neither bends nor moves, and, once the rope is formed, has no friction.",
     )
     law: str = option(
         "st-venant-kirchhoff",
