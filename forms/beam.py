@@ -73,32 +73,58 @@ def rest_frame(rest: Any, tangent: Any) -> Frame:
     return current_frame(rest, tangent)._replace(slope=tangent)
 
 
-def centroid_strain(now: Frame, rest: Frame) -> Strain:
-    """Green-Lagrange strain E0 on the axis."""
+class Products(NamedTuple):
+    """Scalar products of a frame's vectors: strains are differences of them."""
 
-    def half_change(a: Any, b: Any, rest_a: Any, rest_b: Any) -> Any:
-        return 0.5 * (ufl.dot(a, b) - ufl.dot(rest_a, rest_b))
+    directors: Any  # g_a . g_b, shape (2, 2), -
+    stretch: Any  # x' . x', -
+    shear: Any  # g_a . x', shape (2,), -
+    bending: Any  # x' . g_a', shape (2,), 1/mm
+    torsion: Any  # g_a . g_b', shape (2, 2), 1/mm
+    bow: Any  # of the change of slope with itself, -
 
-    (g1, g2), (rest_g1, rest_g2) = now.directors, rest.directors
-    return Strain(
-        e11=half_change(g1, g1, rest_g1, rest_g1),
-        e22=half_change(g2, g2, rest_g2, rest_g2),
-        e12=half_change(g1, g2, rest_g1, rest_g2),
-        e33=half_change(now.slope, now.slope, rest.slope, rest.slope),
-        e13=half_change(g1, now.slope, rest_g1, rest.slope),
-        e23=half_change(g2, now.slope, rest_g2, rest.slope),
+    def less(self, other: "Products") -> "Products":
+        """Differences from those of another frame."""
+        return Products(*(mine - its for mine, its in zip(self, other)))
+
+
+def products(frame: Frame) -> Products:
+    """Scalar products of a frame's vectors."""
+
+    def matrix(others: tuple[Any, Any]) -> Any:
+        return ufl.as_matrix([[ufl.dot(g, other) for other in others] for g in frame.directors])
+
+    return Products(
+        directors=matrix(frame.directors),
+        stretch=ufl.dot(frame.slope, frame.slope),
+        shear=ufl.as_vector([ufl.dot(g, frame.slope) for g in frame.directors]),
+        bending=ufl.as_vector([ufl.dot(frame.slope, rate) for rate in frame.rates]),
+        torsion=matrix(frame.rates),
+        bow=ufl.dot(frame.change, frame.change),
     )
 
 
-def smooth_strain(now: Frame, rest: Frame, nodes: Nodes) -> Strain:
+def centroid_strain(now: Products, rest: Products) -> Strain:
+    """Green-Lagrange strain E0 on the axis."""
+    change = now.less(rest)
+    return Strain(
+        e11=0.5 * change.directors[0, 0],
+        e22=0.5 * change.directors[1, 1],
+        e12=0.5 * change.directors[0, 1],
+        e33=0.5 * change.stretch,
+        e13=0.5 * change.shear[0],
+        e23=0.5 * change.shear[1],
+    )
+
+
+def smooth_strain(now: Products, rest: Products, nodes: Nodes) -> Strain:
     """Strain on the axis at nodes, where e33 is that of the line through its values at the Gauss points.
 
     In a bent element of degree 2 the axial strain itself is a parabola that vanishes at the Gauss points only. Sections
     that were to contract by it would narrow and widen from node to node, which locks the bending of thin rods.
     """
     strain = centroid_strain(now, rest)
-    bow = ufl.dot(now.change, now.change) - ufl.dot(rest.change, rest.change)
-    return strain._replace(e33=strain.e33 - 0.5 * nodes.beyond_gauss * bow)
+    return strain._replace(e33=strain.e33 - 0.5 * nodes.beyond_gauss * (now.bow - rest.bow))
 
 
 def stretching_energy(strain: Strain, section: Section, law: TransverselyIsotropic) -> Any:
@@ -106,31 +132,33 @@ def stretching_energy(strain: Strain, section: Section, law: TransverselyIsotrop
     return section.area * axial_energy(strain, law) + section.tension * strain.e33
 
 
-def bending_energy(now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic) -> Any:
+def bending_energy(
+    now: Products, rest: Products, section: Section, law: TransverselyIsotropic
+) -> Any:
     """Energy of bending per reference length, N."""
+    curvature = now.bending - section.natural_curvature * rest.bending
     inertias = (section.inertia_1, section.inertia_2)
-    density = 0.0
-    for rate, rest_rate, inertia in zip(now.rates, rest.rates, inertias):
-        placed = section.natural_curvature * ufl.dot(rest.slope, rest_rate)
-        density += inertia * (ufl.dot(now.slope, rate) - placed) ** 2
+    density = sum(inertia * curvature[a] ** 2 for a, inertia in enumerate(inertias))
     return 0.5 * section.bundle_factor * law.axial_modulus * density
 
 
-def torsion_energy(now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic) -> Any:
+def torsion_energy(
+    now: Products, rest: Products, section: Section, law: TransverselyIsotropic
+) -> Any:
     """Energy of torsion and of the gradient of the section's stretch per reference length, N."""
+    change = now.torsion - section.natural_curvature * rest.torsion
     inertias = (section.inertia_1, section.inertia_2)
     warping = section.torsion_constant / (section.inertia_1 + section.inertia_2)
     density = 0.0
     for a in range(2):
         for b in range(2):
-            placed = section.natural_curvature * ufl.dot(rest.directors[a], rest.rates[b])
             weight = inertias[b] if a == b else warping * inertias[b]
-            density += weight * (ufl.dot(now.directors[a], now.rates[b]) - placed) ** 2
+            density += weight * change[a, b] ** 2
     return 0.5 * section.torsion_factor * law.axial_shear_modulus * density
 
 
 def energy(
-    now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic, degree: int
+    now: Products, rest: Products, section: Section, law: TransverselyIsotropic, degree: int
 ) -> list[Part]:
     """Stored energy, with selective quadrature.
 
@@ -141,7 +169,8 @@ def energy(
     against each other get shorter between the nodes, which would lock the bending of thin rods.
 
     Args:
-        now, rest: Current and reference frame.
+        now, rest: Products of the current and the reference frame. Without those of the last step of Newton's method,
+            `now` has the stresses that this step foresaw (Products.less, bodies.beam).
         section, law: Constants of the section and of the yarn.
         degree: Degree of the line elements, 1 or 2.
     """
@@ -158,9 +187,9 @@ def energy(
 def axial_force(now: Frame, rest: Frame, section: Section, law: TransverselyIsotropic) -> Any:
     """Force along the current axis, N, positive when pulled: projection of d energy / d x'."""
     slope = ufl.variable(now.slope)
-    moved = now._replace(slope=slope)
-    strain = centroid_strain(moved, rest)
+    moved, placed = products(now._replace(slope=slope)), products(rest)
+    strain = centroid_strain(moved, placed)
     normal = stretching_energy(strain, section, law) + section.area * section_energy(strain, law)
     shear = section.shear_area * shear_energy(strain, law)
-    density = normal + shear + bending_energy(moved, rest, section, law)
+    density = normal + shear + bending_energy(moved, placed, section, law)
     return ufl.dot(ufl.diff(density, slope), slope) / ufl.sqrt(ufl.dot(slope, slope))

@@ -75,13 +75,18 @@ class BeamBody(CurveBody):
             natural_state=natural_state,
             tension=tension,
         )
+        self._step = fem.Function(self._space)
         now = beam.current_frame(self._state, self._tangent)
         placed = beam.rest_frame(self._rest_state, self._tangent)
+        step = beam.current_frame(self._step, self._tangent)
         constants = beam.Section(*_components(self._section))
         law = TransverselyIsotropic(*_components(self._material))
+        is_at, was_at = beam.products(now), beam.products(placed)
+        foreseen = is_at.less(beam.products(step))
         self._set_energy(
-            beam.energy(now, placed, constants, law, degree),
+            beam.energy(is_at, was_at, constants, law, degree),
             beam.axial_force(now, placed, constants, law),
+            beam.energy(foreseen, was_at, constants, law, degree),
         )
 
     def set_properties(

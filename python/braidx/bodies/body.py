@@ -58,11 +58,15 @@ class CurveBody(AssembledBody):
         self._state = fem.Function(self._space)
         self.set_state(rest)
 
-    def _set_energy(self, parts: list[Part], axial_force: Any) -> None:
-        """Compile the forms of the energy, and of the axial force (UFL scalar, N) for output."""
-        self._assembler = Assembler(
-            variations(parts, self._state), self._space, self._nodes, self.num_nodes
-        )
+    def _set_energy(
+        self, parts: list[Part], axial_force: Any, foreseen: list[Part] | None = None
+    ) -> None:
+        """Compile the forms of the energy, and of the axial force (UFL scalar, N) for output.
+
+        `foreseen` are the parts whose Hessian is the tangent, if they depend on the step (`set_step`).
+        """
+        forms = variations(parts, self._state, foreseen)
+        self._assembler = Assembler(forms, self._space, self._nodes, self.num_nodes)
         self._mean = ElementField(self._curve_mesh)
         weight = ufl.TestFunction(self._mean.function.function_space)
         domain, degree = self._curve_mesh.mesh.ufl_domain(), self.layout.degree

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from ..bodies import BeamSection, YarnMaterial
+from ..forms.materials import TransverselyIsotropic, stiffness
 
 Floats = npt.NDArray[np.float64]
 
@@ -37,6 +38,11 @@ class Cable:
     def section(self) -> BeamSection:
         """Round, of the radius."""
         return BeamSection.round(self.radius)
+
+    @property
+    def constrained_stiffness(self) -> float:
+        """EA, N: its section is not deformed."""
+        return self.axial_stiffness
 
     @property
     def stiffness_across(self) -> float:
@@ -82,6 +88,16 @@ class Beam:
         """EA, N."""
         assert self.section is not None
         return self.material.axial_modulus * self.section.area
+
+    @property
+    def constrained_stiffness(self) -> float:
+        """Axial stiffness if the section could not contract, N."""
+        assert self.section is not None
+        c = stiffness(TransverselyIsotropic(*astuple(self.material)))
+        return (
+            self.axial_stiffness
+            + 2.0 * self.material.axial_poisson**2 * (c.c11 + c.c12) * self.section.area
+        )
 
     @property
     def stiffness_across(self) -> float:

@@ -101,6 +101,8 @@ class Newton:
         self.bold = True
         self._enough = self._iterations_left = 0.0
         self._least, self._in_vain, self._most_in_vain = np.inf, 0.0, np.inf
+        self._came_from: Floats | None = None  # where the last tangent was made
+        self._found: Floats = np.empty(0)  # and where that step, the last one, led
         self.norm = np.inf
         self.restore_options()
 
@@ -174,6 +176,8 @@ class Newton:
         if self._searching is None:
             self.renew()
         self._enough = max(enough, self.tolerance)
+        if not np.array_equal(q, self._found):
+            self._came_from = None
         start, tried = self.system.free_values(q), None
         if self.bold and self._full is not None:
             self.system.scatter(start, self.system.vector)
@@ -190,7 +194,8 @@ class Newton:
                 self.renew(indefinite=True)
                 result = self._run(self._searching, result.iterations)
             result = result if tried is None else result.after(tried)
-        return self.system.expand(self.system.gather(self.system.vector)), result
+        self._found = self.system.expand(self.system.gather(self.system.vector))
+        return self._found.copy(), result
 
     def _run(
         self, snes: PETSc.SNES | None, before: int = 0, most_in_vain: float = np.inf
@@ -244,7 +249,12 @@ class Newton:
     def _jacobian(
         self, snes: PETSc.SNES, x: PETSc.Vec, matrix: PETSc.Mat, preconditioner: PETSc.Mat
     ) -> None:
-        self.system.set_state(self.system.expand(self.system.gather(x)))
+        q = self.system.expand(self.system.gather(x))
+        self.system.set_state(q)
+        # A line search goes down the residual itself, and so needs its derivative.
+        before = self._came_from if snes is not self._searching else None
+        self.system.set_step(np.zeros_like(q) if before is None else q - before)
+        self._came_from = q
         self.system.assemble_tangent()
 
     def _test(self, snes: PETSc.SNES, iteration: int, norms: tuple[float, float, float]) -> int:

@@ -10,7 +10,7 @@ from petsc4py import PETSc
 
 from . import coo
 from .constraints import ConstraintMap, Floats
-from .terms import Term
+from .terms import BodyTerm, Term
 
 
 class GlobalSystem:
@@ -84,6 +84,15 @@ class GlobalSystem:
         self.q = q
         for term in self.terms:
             term.set_state(q)
+
+    def set_step(self, step: Floats) -> None:
+        """Hands the step that led to the current state, shape (num_unknowns,), to the bodies.
+
+        See AssembledBody.set_step.
+        """
+        for term in self.terms:
+            if isinstance(term, BodyTerm):
+                term.set_step(step)
 
     def residual(self) -> Floats:
         """Residual of all unknowns at the current state, shape (num_unknowns,), N; zero in equilibrium where free.

@@ -53,6 +53,8 @@ class Body(Protocol):
 
     def set_state(self, q: Floats) -> None: ...
 
+    def set_step(self, step: Floats) -> None: ...
+
     def energy(self) -> float: ...
 
     def residual(self) -> Floats: ...
@@ -75,6 +77,10 @@ class BodyTerm:
     def set_state(self, q: Floats) -> None:
         """See Term."""
         self.body.set_state(q[self.unknowns].reshape(-1, self.body.block))
+
+    def set_step(self, step: Floats) -> None:
+        """See GlobalSystem."""
+        self.body.set_step(step[self.unknowns].reshape(-1, self.body.block))
 
     def add_residual(self, residual: Floats) -> None:
         """See Term."""

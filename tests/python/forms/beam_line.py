@@ -49,4 +49,5 @@ def beam_line(degree: int = 1) -> BeamLine:
     state.x.array[:] = rest.x.array
     tangent = unit_tangent(mesh.mesh.ufl_domain())
     now, placed = beam.current_frame(state, tangent), beam.rest_frame(rest, tangent)
-    return BeamLine(state, beam.energy(now, placed, SECTION, LAW, degree))
+    parts = beam.energy(beam.products(now), beam.products(placed), SECTION, LAW, degree)
+    return BeamLine(state, parts)
