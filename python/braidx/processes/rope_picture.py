@@ -46,7 +46,9 @@ def _contact_table(model: RopeModel, q: np.ndarray) -> ContactTable:
     whole = gathered_results(model.comm, model.contact, q)
     other = whole["tubes"][:, 1]
     # A die, which comes after the core, is no part of the rope.
-    kept = {name: values[other >= (-1 if model.scene.core else 0)] for name, values in whole.items()}
+    kept = {
+        name: values[other >= (-1 if model.scene.core else 0)] for name, values in whole.items()
+    }
     a, b = kept["tubes"].astype(np.int64).T
     kind = np.where(b < 0, YARN_CORE, YARN_YARN)
     return ContactTable(**contact_columns(kept), yarn_a=a, yarn_b=b, kind=kind)

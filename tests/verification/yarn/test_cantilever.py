@@ -74,24 +74,9 @@ def test_slenderness(record, slenderness, tolerance):
     record.check("V3", what, tip(rods), TABLE, tolerance, scale=1.0, unknowns=rods.q.size)
 
 
-ROUND_OFF = (
-    "EA is 1.6e9 times EI/L^2 here, and round-off of positions over the length of an element leaves axial forces of "
-    "1e-5 of the load, beyond which `Rods` looks for no equilibrium. The mesh gives 5e-6 at L/d = 1e3."
-)
-
-
 def test_no_shear_locking(record):
     """One in ten thousand: the same mesh gives the same error as the shear-rigid rod."""
-    for num_elements, tolerance, missed in ((8, 1e-4, ""), (16, 5e-6, ROUND_OFF)):
+    for num_elements, tolerance in ((8, 1e-4), (16, 5e-6)):
         rods = slender(1e4, num_elements)
-        record.check(
-            "V3",
-            f"cantilever, L/d = 1e4, {num_elements} elements: table of V2",
-            tip(rods),
-            TABLE,
-            tolerance,
-            scale=1.0,
-            unknowns=rods.q.size,
-            missed=missed,
-            measured=2e-5,
-        )
+        what = f"cantilever, L/d = 1e4, {num_elements} elements: table of V2"
+        record.check("V3", what, tip(rods), TABLE, tolerance, scale=1.0, unknowns=rods.q.size)
