@@ -22,8 +22,7 @@ from families import FAMILIES
 from family import Family, cases_with, explore, good, none_is_wrong
 from judge import CONVERGED, FAILED, Watch
 
-LOCKING = (slenderness.BENT, slenderness.ROLLED, refinement.FAMILY)
-KNOWN = (*LOCKING, hockling.FAMILY, remedies.FAMILY)  # wrong in ways that have tests of their own
+KNOWN = (hockling.FAMILY, remedies.FAMILY)  # wrong in ways that have tests of their own
 
 
 @pytest.mark.parametrize(
@@ -62,17 +61,15 @@ def test_only_viscosity_makes_answers_wrong_and_soft_penalties_help() -> None:
         assert outcomes[angle, soft].iterations < 0.7 * outcomes[angle, 0.0].iterations
 
 
-@pytest.mark.parametrize("family", LOCKING[:2], ids=lambda family: family.name)
-def test_elements_of_300_radii_are_too_long_and_those_of_30_are_not(family: Family) -> None:
-    outcomes = explore(family)
-    for case, outcome in outcomes.items():
-        if 30.0 <= case[0] <= 1e3:
-            assert outcome.status != "WRONG", outcome.why
+def test_slender_beams_are_right_in_any_number_of_increments() -> None:
+    bent, rolled = explore(slenderness.BENT), explore(slenderness.ROLLED)
+    assert good(bent) == set(bent)
+    assert good(rolled) == {case for case in rolled if case[0] > 10.0}
 
 
-def test_shorter_elements_mend_slender_beams() -> None:
+def test_eight_elements_will_do_for_any_slenderness() -> None:
     outcomes = explore(refinement.FAMILY)
-    assert {(1e2, 32.0), (1e3, 64.0), (1e3, 128.0), (1e4, 128.0)} <= good(outcomes)
+    assert good(outcomes) == set(outcomes)
 
 
 def test_beams_cross_at_half_a_degree() -> None:

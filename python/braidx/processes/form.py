@@ -171,7 +171,8 @@ class Former:
             pairs = ", ".join(f"{a}-{b}" for a, b in contact.worst_pairs())
             raise NotConverged(
                 f"the rope is not formed after {self._number['done']:.0f} increments: penetration {deepest:.3f} mm "
-                f"(wanted {self._tolerance:.3f}), {wrong} crossings on the wrong side, deepest between yarns {pairs or 'none'}; "
+                f"(wanted {self._tolerance:.3f}), {wrong} crossings on the wrong side, "
+                f"deepest between yarns {pairs or 'none'}; "
                 "try a larger form.die_diameter or braid.helix_radius, more form.increments, or thinner yarns"
             )
 
@@ -221,8 +222,8 @@ class Former:
                 last = failure
         pairs = ", ".join(f"{a}-{b}" for a, b in self.model.contact.worst_pairs())
         raise NotConverged(
-            f"forming stopped: {last}; deepest contacts between yarns {pairs or 'none'}; try a smaller form.gap_reduction, "
-            "a higher form.viscosity or a larger form.die_diameter"
+            f"forming stopped: {last}; deepest contacts between yarns {pairs or 'none'}; "
+            "try a smaller form.gap_reduction, a higher form.viscosity or a larger form.die_diameter"
         )
 
     def _advance(self, increment: Increment) -> None:

@@ -14,6 +14,7 @@ from ..system.proximal import ProximalTerm
 from ..system.terms import BodyTerm, Floats, LoadTerm, Term
 from .couples import CoupleTerm
 from .first_guess import refuse_folds
+from .folded import refuse_folded
 from .inertia import InertiaTerm
 from .layout import Layout
 from .loads import Loads
@@ -81,10 +82,10 @@ class Equilibria:
             refuse_folds(self._layout, start, fitting)
         elements = self._contact.elements.copy()
         found = self._incrementer.solve(start, fitting, self._options)
-        if leap:
-            return found
         try:
-            refuse_passing(self._layout, self._contact, start, found.q)
+            refuse_folded(self._layout, found.q)
+            if not leap:
+                refuse_passing(self._layout, self._contact, start, found.q)
         except Diverged:
             self._contact.restore(elements)
             raise
