@@ -71,7 +71,7 @@ BENT = Family(
     "its tip has to be where an elastica has it, within 0.2 % of the length.",
     means=(
         "Slender beams cost nothing extra: a slenderness of 1e5 takes a third more iterations than 100, also in "
-        "a single increment. Elements may be thousands of radii long. Before, sections that contract by the axial strain "
+        "a single increment. Elements may be thousands of radii long. Before, sections contracting by the axial strain "
         "locked all beams of more than 300 radii per element, and iterations strayed (theory)."
     ),
 )
