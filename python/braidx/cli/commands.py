@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from braidx.cli.accuracy import tell_accuracy, with_accuracy
 from braidx.cli.errors import (
     BAD_INPUT,
     NOT_CONVERGED,
@@ -41,6 +42,14 @@ Overrides = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="TABLE.KEY=VALUE", help="Replace a value of the scene."),
 ]
+Accuracy = Annotated[
+    str | None,
+    typer.Option(
+        "--accuracy",
+        metavar="PERCENT",
+        help="Choose what the scene leaves open for an error of 5%, 1% or 0.1% (docs/accuracy.md).",
+    ),
+]
 Out = Annotated[
     Path | None, typer.Option("--out", metavar="DIR", help="Output folder [results/NAME].")
 ]
@@ -49,11 +58,16 @@ Resume = Annotated[bool, typer.Option("--resume", help="Go on from the last chec
 
 @app.command()
 def run(
-    scene: ScenePath, out: Out = None, overrides: Overrides = None, resume: Resume = False
+    scene: ScenePath,
+    out: Out = None,
+    overrides: Overrides = None,
+    resume: Resume = False,
+    accuracy: Accuracy = None,
 ) -> None:
     """Compute a scene."""
     with bad_input_stops(scene):
-        loaded = load_scene(scene, overrides or [])
+        loaded = load_scene(scene, with_accuracy(overrides, accuracy))
+        tell_accuracy(loaded, _console())
         _run(loaded, out, resume)
 
 
@@ -65,10 +79,11 @@ def demo(out: Out = None, overrides: Overrides = None, resume: Resume = False) -
 
 
 @app.command()
-def check(scene: ScenePath, overrides: Overrides = None) -> None:
+def check(scene: ScenePath, overrides: Overrides = None, accuracy: Accuracy = None) -> None:
     """Validate a scene and print what would be computed."""
     with bad_input_stops(scene):
-        loaded = load_scene(scene, overrides or [])
+        loaded = load_scene(scene, with_accuracy(overrides, accuracy))
+        tell_accuracy(loaded, _console())
         _console().print(scene_table(loaded, build_rope(loaded)))
 
 

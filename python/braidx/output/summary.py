@@ -87,6 +87,9 @@ class Summary:
         scene: Name of the scene.
         expected: Expected value per result name. An expected result that the run never sets is
             written as a missing value that is not met.
+
+    Attributes:
+        accuracy: The accuracy that was asked for, and which options were chosen for it; None if none was.
     """
 
     def __init__(self, scene: str, expected: Mapping[str, Expected] | None = None) -> None:
@@ -94,6 +97,7 @@ class Summary:
         self.converged = False
         self.cost = Cost()
         self.results: dict[str, Result] = {}
+        self.accuracy: Mapping[str, Any] | None = None
         self._expected = dict(expected or {})
         for name in self._expected:
             self.set(name, None, "")
@@ -126,6 +130,8 @@ class Summary:
             "results": {name: asdict(result) for name, result in self.results.items()},
             "cost": asdict(self.cost),
         }
+        if self.accuracy is not None:
+            contents["accuracy"] = dict(self.accuracy)
         finite: dict[str, Any] = _finite(contents)
         return finite
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from ..output.log import LOGGER, close_log, open_log
 from ..output.progress import Progress
 from ..output.snapshot import Snapshot
 from ..output.summary import PhaseCost, Summary, peak_memory_MB
-from ..scene import Scene, Step
+from ..scene import Scene, Step, followed
 from . import state as checkpoint
 from .bending.aftermath import after_bending
 from .measurements import FIRST_PULL, STATE_RESULTS, final_results
@@ -145,6 +146,8 @@ class Recorder:
     def _write_summary(self, converged: bool, memory: float) -> dict[str, Any]:
         summary = Summary(self.scene.name, self.scene.expected)
         summary.converged = converged
+        kept = followed(self.scene)
+        summary.accuracy = None if kept is None else asdict(kept)
         rows = history.read(self.folder / "history.csv")
         values = {**self._results, **final_results(self.scene, self.rope, rows)}
         for name, unit in STATE_RESULTS.items():

@@ -1,5 +1,6 @@
 """Scenes: a rope, its model and its programme, as TOML files and as frozen dataclasses."""
 
+from braidx.scene.accuracy import followed, level_of
 from braidx.scene.bending import Bend, BendCycles, Straighten
 from braidx.scene.build import scene_from_dict
 from braidx.scene.compare import difference
@@ -49,6 +50,8 @@ __all__ = [
     "StrandRecipe",
     "YarnModel",
     "difference",
+    "followed",
+    "level_of",
     "load_scene",
     "scene_from_dict",
     "to_toml",

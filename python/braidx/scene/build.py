@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, TypeVar
 
+from braidx.scene.accuracy import completed
 from braidx.scene.core import Core
 from braidx.scene.ends import EndConditions, EndGroup
 from braidx.scene.errors import SceneError, nearest
@@ -54,6 +55,12 @@ def scene_from_dict(data: dict[str, Any], name: str = "") -> Scene:
     Raises:
         SceneError: If a key is unknown or missing or a value is wrong.
     """
+    scene = _as_stated(data, name)
+    return _as_stated(completed(scene, data), name) if scene.solver.accuracy else scene
+
+
+def _as_stated(data: dict[str, Any], name: str) -> Scene:
+    """The scene of these tables and the defaults."""
     _check_keys(data, {*TABLES, *NAMED, "steps"}, "")
     tables = {key: _entries(value, key) for key, value in data.items() if key in TABLES}
     for required in REQUIRED:

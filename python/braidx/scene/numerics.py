@@ -111,6 +111,12 @@ class SolverOptions(Table):
         "follow those that they are images of, and there is that much less to solve; false lets it leave them. "
         "Groups of ends, once they act, do so too.",
     )
+    accuracy: str = option(
+        "",
+        choices=("", "5%", "1%", "0.1%"),
+        doc="Relative error that the mesh, contact and increments are chosen for where the scene states nothing about "
+        "them, from what was measured ([accuracy](accuracy.md)); as --accuracy does. Empty: the defaults.",
+    )
     petsc: dict[str, float | int | bool | str] = option(
         {}, doc="Any PETSc options, without the leading dash; they win over the program's own."
     )

@@ -19,15 +19,15 @@ LAMBDA = 1.01
 AXIAL = 2.0 / (LAMBDA * (LAMBDA + 1.0))
 
 
-def fibres():
+def fibres(spans, degree):
     """Shear hardly deforms the fibres, nor does transverse load; torsion costs next to nothing."""
     inertia = INERTIA / AXIAL
     section = BeamSection(AREA, inertia, inertia, 2 * inertia, AREA)
     material = YarnMaterial(AXIAL * MODULUS, MODULUS, MODULUS)
-    frame = np.tile([[1.0, 0, 0], [0, 1, 0]], (ELEMENTS + 1, 1, 1))
-    lines = [straight((x, 0, 0), (x, 0, LENGTH), ELEMENTS) for x in (-OFFSET, OFFSET)]
+    frame = np.tile([[1.0, 0, 0], [0, 1, 0]], (spans + 1, 1, 1))
+    lines = [straight((x, 0, 0), (x, 0, LENGTH), spans) for x in (-OFFSET, OFFSET)]
     return [
-        Beam(line, RADIUS, material, section, frame, degree=1, torsion_factor=1e-2)
+        Beam(line, RADIUS, material, section, frame, degree=degree, torsion_factor=1e-2)
         for line in lines
     ]
 
@@ -44,9 +44,14 @@ def double_helix(rest):
     return np.hstack([x[:, None] * radial + height[:, None] * [0, 0, 1], radial, binormal])
 
 
-def twisted():
-    """Fibres after one turn of their far end, which brings it back to where it was but for the stretch."""
-    rods = Rods(fibres(), penalty=PENALTY, penetration=None)
+def twisted(spans=ELEMENTS, degree=1, **options):
+    """Fibres after one turn of their far end, which brings it back to where it was but for the stretch.
+
+    Args:
+        spans: Between nodes of a fibre; an element takes `degree` of them.
+        options: Of Rods.
+    """
+    rods = Rods(fibres(spans, degree), penalty=PENALTY, penetration=None, **options)
     rods.contact.laws.regularisation = 1e-9
     for rod in (0, 1):
         rods.hold(rod, [0, -1], slice(0, 6))  # g1 stays radial: no radial component of the tangent

@@ -20,14 +20,14 @@ STRAINS = np.array([1e-3, 2e-3, 3e-3])
 TWIST = 2e-4 / HELIX  # per length, to either side, 1/mm
 
 
-def closed_form(bending):
+def closed_form(bending, penalty=PENALTY):
     """K11, K12 = K21, K22 in N, N mm, N mm^2; `bending` 0 drops E I and G J."""
     angle = np.arctan2(PITCH, 2 * np.pi * HELIX)
     s, c, r = np.sin(angle), np.cos(angle), HELIX
     core, wire = BeamSection.round(CORE), BeamSection.round(WIRE)
     flexural, torsion = bending * MODULUS * wire.inertia_1, bending * SHEAR * wire.torsion_constant
     shrinkage = (
-        MODULUS * wire.area * s * c**4 / (PENALTY * r**2)
+        MODULUS * wire.area * s * c**4 / (penalty * r**2)
     )  # delta_r c^2 / r over axial strain
     axial = MODULUS * wire.area / (1 + shrinkage)
     k11 = axial * s**3 + flexural * s**3 * c**4 / r**2 + torsion * s * c**6 / r**2
@@ -37,21 +37,22 @@ def closed_form(bending):
     return own + WIRES * np.array([[k11, k12], [k12, k22]])
 
 
-def strand(beams):
-    """The strand at rest, its end sections held."""
+def strand(beams, spans=SPANS, degree=DEGREE, **options):
+    """The strand at rest, its end sections held; spans between nodes, degree of elements, options of Rods."""
     phases = 2 * np.pi / WIRES * np.arange(WIRES)
-    lines = [straight((0, 0, 0), (0, 0, PITCH), SPANS)]
-    lines += [helix(HELIX, PITCH, PITCH, SPANS, phase) for phase in phases]
+    lines = [straight((0, 0, 0), (0, 0, PITCH), spans)]
+    lines += [helix(HELIX, PITCH, PITCH, spans, phase) for phase in phases]
     radii = [CORE, *[WIRE] * WIRES]
     if beams:
         rigid_across = YarnMaterial(MODULUS, 1e2 * MODULUS, SHEAR)
-        parts = [Beam(line, r, rigid_across, degree=DEGREE) for line, r in zip(lines, radii)]
+        parts = [Beam(line, r, rigid_across, degree=degree) for line, r in zip(lines, radii)]
     else:
         parts = [
-            Cable(line, r, MODULUS * np.pi * r**2, tension=1.0, degree=DEGREE)
+            Cable(line, r, MODULUS * np.pi * r**2, tension=1.0, degree=degree)
             for line, r in zip(lines, radii)
         ]
-    rods = Rods(parts, penalty=PENALTY, penetration=None, tolerance=5e-7)
+    given = {"penalty": PENALTY, "penetration": None, "tolerance": 5e-7, **options}
+    rods = Rods(parts, **given)
     rods.contact.laws.regularisation = 1e-9
     rods.contact.pairing.point_tolerance = 0.1  # lines touch all along: no closest points there
     for rod in range(1 + WIRES):
@@ -78,9 +79,9 @@ def uniform(rods, strain, twist):
     return np.concatenate(guess).ravel()
 
 
-def end_loads(beams, strain, twist):
+def end_loads(beams, strain, twist, **options):
     """Force (N) and couple (N mm) on the far end at an axial strain and a twist per length."""
-    rods = strand(beams)
+    rods = strand(beams, **options)
     for rod in range(1 + WIRES):
         for node in (0, -1):
             tilt = tilts(rods.positions(rod)[[node]], strain, twist)[0]
@@ -96,9 +97,11 @@ def end_loads(beams, strain, twist):
     return force[2], couple[2]
 
 
-def stiffness(beams):
+def stiffness(beams, **options):
     """Derivatives of force and couple with strain and twist, extrapolated to the state at rest."""
-    loads = np.array([[end_loads(beams, e, t) for t in (-TWIST, TWIST)] for e in STRAINS])
+    loads = np.array(
+        [[end_loads(beams, e, t, **options) for t in (-TWIST, TWIST)] for e in STRAINS]
+    )
     with_strain = np.polyfit(STRAINS, loads.mean(axis=1), 2)[1]
     with_twist = np.polyfit(STRAINS, (loads[:, 1] - loads[:, 0]) / (2 * TWIST), 2)[2]
     return np.stack([with_strain, with_twist], axis=1)

@@ -1,0 +1,59 @@
+"""Scenes without an exact answer, run as a user runs them: a braid that is pulled, and one that is bent."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).parents[3]
+sys.path.append(str(ROOT / "tests" / "python" / "processes"))
+
+from bench import Values  # noqa: E402
+import numpy as np  # noqa: E402
+from tiny_bent_rope import TINY  # noqa: E402
+
+from braidx.processes import run  # noqa: E402
+from braidx.processes.bending.crossings import FILE, read_crossings  # noqa: E402
+from braidx.scene import Bend, Form, Scene, load_scene  # noqa: E402
+
+PULLED = ROOT / "demos" / "small_rope.toml"
+SLID, MEAN = "relative displacement (mm)", "mean_relative_displacement"
+QUIET = ("output.pictures=false", "output.fields=false")
+PER_PITCH = "yarn.elements_per_pitch=40"  # the default, which the scenes replace
+TRAVEL, BENT_RADIUS = 3.0, 0.6  # of the ends and of the yarns of the rope that is bent, mm
+
+
+def pulled(**options: Any) -> Values:
+    """The braid of eight yarns of demos/small_rope.toml, formed and pulled."""
+    return results(load_scene(PULLED, [*QUIET, PER_PITCH, *words(options)]))
+
+
+def bent(**options: Any) -> Values:
+    """The smallest braid of the tests, four yarns about a core, two pitches, formed and bent."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "bent.toml"
+        path.write_text(TINY, "utf-8")
+        travel = f"steps.bend.travel={TRAVEL}"
+        given = ["steps.bend.increments=30", travel, PER_PITCH, *words(options)]
+        scene = load_scene(path, [*QUIET, *given])
+    steps = tuple(step for step in scene.steps if isinstance(step, (Form, Bend)))
+    return results(replace(scene, steps=steps, heat=None))
+
+
+def words(options: dict[str, Any]) -> list[str]:
+    """What --set is given; a pair of underscores stands for the dot."""
+    return [f"{name.replace('__', '.')}={value}" for name, value in options.items()]
+
+
+def results(scene: Scene) -> Values:
+    """Numbers of summary.json; of a bent rope also the mean relative displacement of all crossings, mm."""
+    with tempfile.TemporaryDirectory() as folder:
+        summary = run(scene, Path(folder))
+        table = Path(folder) / FILE
+        slid = read_crossings(table)[SLID] if table.exists() else np.empty(0)
+    found = {name: entry["value"] for name, entry in summary["results"].items()}
+    values = {name: float(value) for name, value in found.items() if value is not None}
+    return values | ({MEAN: float(np.nanmean(slid))} if len(slid) else {})
