@@ -7,9 +7,11 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
+from bent_values import CROSSING_FORCE, ESTIMATE, NEAR_CROWN, SLIP, SUMMARY
 from matplotlib.axes import Axes
 from study import Study
-from study_runs import CROSSING_FORCE, ESTIMATE, NEAR_CROWN, SECONDS, SLIP, SUMMARY, Outcome
+from study_runs import Outcome
+from summaries import SECONDS
 
 from braidx.output.figures.style import AMBER, BLUE, GREY, INK, figure, save, styled
 

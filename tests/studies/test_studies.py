@@ -13,9 +13,10 @@ import numpy as np
 import pytest
 import yarn_count
 import yarn_radius
+from bent_values import NEAR_CROWN, SLIP
 from study import OUT
 from study_report import report
-from study_runs import NEAR_CROWN, SLIP, run_study
+from study_runs import run_study
 
 SCRIPTS = (diameter_ratio, braiding_angle, yarn_count, yarn_radius, mesh_sensitivity, models)
 WRONG_SIDE = "crossings on the wrong side"
