@@ -128,9 +128,12 @@ class Ends:
             self._values[last] = self.nodes.rest[last]
 
     def _nodal(self, first_unknown: np.ndarray) -> np.ndarray:
-        """Unknowns of end nodes that move across the axis: x, y, and directors where those are not free."""
+        """Unknowns of end nodes that move across the axis: x, y, and directors where those are not free.
+
+        Nor are they where the rope goes on: yarns would have hinges there.
+        """
         components = [0, 1]
-        if self.nodes.block > 3 and self._options.sections == "fixed":
+        if self.nodes.block > 3 and (self._options.sections == "fixed" or self.periodic):
             components += range(3, self.nodes.block)
         return (first_unknown[:, None] + np.array(components)).ravel()
 
