@@ -13,6 +13,7 @@ import penalty
 import random_scenes
 import refinement
 import remedies
+import ropes
 import slenderness
 import units
 
@@ -31,4 +32,5 @@ FAMILIES = (
     birdcage.FAMILY,
     hockling.FAMILY,
     random_scenes.FAMILY,
+    ropes.FAMILY,
 )

@@ -7,8 +7,9 @@ import logging
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 
-from judge import CONVERGED, FAILED, SLOW, WRONG, Outcome, with_slowness
+from judge import CONVERGED, FAILED, REFUSED, SLOW, WRONG, Outcome, with_slowness
 
 DONE: dict[str, list[Outcome]] = {}  # outcomes of this run by name of the family
 
@@ -28,6 +29,7 @@ class Family:
         logarithmic: Whether each axis has a logarithmic scale.
         labels: Of the values of the second parameter, where numbers say nothing.
         chosen: Whether a combination is computed; all are by default.
+        draw: Writes a map of its own.
     """
 
     name: str
@@ -40,6 +42,7 @@ class Family:
     logarithmic: tuple[bool, ...] = (True, True)
     labels: tuple[str, ...] = ()
     chosen: Callable[..., bool] = lambda *case: True
+    draw: Callable[[Family, Sequence[Outcome], Path], None] | None = None
 
 
 @cache
@@ -85,4 +88,6 @@ def none_is_wrong(outcomes: dict[tuple[float, ...], Outcome]) -> bool:
 def counts(outcomes: Sequence[Outcome]) -> str:
     """How many ended in which way, in words."""
     numbers = {s: sum(o.status == s for o in outcomes) for s in (CONVERGED, SLOW, FAILED, WRONG)}
+    refused = sum(outcome.status == REFUSED for outcome in outcomes)
+    numbers |= {REFUSED: refused} if refused else {}
     return ", ".join(f"{number} {status}" for status, number in numbers.items())

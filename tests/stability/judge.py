@@ -19,6 +19,7 @@ from lines import centre_line, nearness, nearness_on_the_way
 Floats = npt.NDArray[np.float64]
 
 CONVERGED, SLOW, FAILED, WRONG = "converged", "slow", "failed", "WRONG"
+REFUSED = "refused"  # by the checks of a scene
 SLOWNESS = 3.0  # times the median of the iterations of a family
 BALANCE = 1e-4  # of forces and moments, of the largest sum of their sizes
 ENERGY = 0.05  # of the largest work

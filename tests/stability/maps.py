@@ -11,7 +11,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 from family import Family  # noqa: E402
-from judge import CONVERGED, FAILED, SLOW, WRONG, Outcome  # noqa: E402
+from judge import CONVERGED, FAILED, REFUSED, SLOW, WRONG, Outcome  # noqa: E402
 
 # Colours that those who do not tell red from green tell apart, and symbols for those who print in grey.
 LOOKS = {
@@ -19,6 +19,7 @@ LOOKS = {
     SLOW: ("#e69f00", "s", "slow"),
     FAILED: ("#999999", "X", "failed cleanly"),
     WRONG: ("#d40000", "*", "wrong"),
+    REFUSED: ("#009e73", "v", "refused"),
 }
 
 
@@ -30,6 +31,8 @@ def draw(family: Family, outcomes: Sequence[Outcome], path: Path) -> None:
     _set_scales(axes, family)
     for status, (colour, marker, label) in LOOKS.items():
         chosen = [outcome for outcome in outcomes if outcome.status == status]
+        if status == REFUSED and not chosen:
+            continue
         x = [outcome.case[0] for outcome in chosen]
         y = [outcome.case[1] if second else 0.0 for outcome in chosen]
         axes.scatter(

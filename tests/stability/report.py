@@ -35,15 +35,20 @@ equilibrium to another, energy may be lost, but none may be made.
 """
 
 
-def write(families: Sequence[Family], done: dict[str, list[Outcome]]) -> None:
-    """Page and maps of the families; all of them have to be done. Outcomes are kept in results/stability.json."""
+def keep(done: dict[str, list[Outcome]]) -> None:
+    """Keeps outcomes in results/stability.json, in the place of those that an earlier run left of the same families."""
     OUTCOMES.parent.mkdir(exist_ok=True)
-    kept = {name: [vars(outcome) for outcome in outcomes] for name, outcomes in done.items()}
+    kept = json.loads(OUTCOMES.read_text(encoding="utf-8")) if OUTCOMES.exists() else {}
+    kept |= {name: [vars(outcome) for outcome in outcomes] for name, outcomes in done.items()}
     OUTCOMES.write_text(json.dumps(kept), encoding="utf-8")
+
+
+def write(families: Sequence[Family], done: dict[str, list[Outcome]]) -> None:
+    """Page and maps of the families; all of them have to be done."""
     parts = [HEAD, _table(families, done)]
     for family in families:
         outcomes = done[family.name]
-        draw(family, outcomes, DOCS / "images" / f"stability_{family.name}.png")
+        (family.draw or draw)(family, outcomes, DOCS / "images" / f"stability_{family.name}.png")
         parts.append(_section(family, outcomes))
     (DOCS / "stability.md").write_text("\n".join(parts), encoding="utf-8")
 
@@ -103,7 +108,7 @@ def _named(outcomes: Sequence[Outcome], status: str, most: int = 12) -> list[str
 
 
 def rewrite() -> None:
-    """Page and maps again, from the outcomes of the last run: python3 tests/stability/report.py."""
+    """Page and maps again, from the last outcomes of each family: python3 tests/stability/report.py."""
     from families import FAMILIES
 
     kept = json.loads(OUTCOMES.read_text(encoding="utf-8"))

@@ -15,12 +15,14 @@ import penalty
 import random_scenes
 import refinement
 import remedies
+import ropes
 import scenes
 import slenderness
 import units
 from families import FAMILIES
 from family import Family, cases_with, explore, good, none_is_wrong
-from judge import CONVERGED, FAILED, Watch
+from judge import CONVERGED, FAILED, REFUSED, Watch
+from rope_recipes import NUMBER
 
 KNOWN = (hockling.FAMILY, remedies.FAMILY)  # wrong in ways that have tests of their own
 
@@ -124,5 +126,14 @@ def test_random_scenes_are_solved_or_fail_with_a_message() -> None:
     assert len(good(outcomes)) >= FRONTIERS["random"]
 
 
+def test_random_ropes_are_found_or_fail_with_a_message() -> None:
+    outcomes = explore(ropes.FAMILY)
+    assert len(outcomes) == NUMBER
+    assert len(cases_with(outcomes, REFUSED)) <= 0.05 * NUMBER
+    assert len(good(outcomes)) >= FRONTIERS["ropes"]
+    failed = [outcomes[case] for case in cases_with(outcomes, FAILED)]
+    assert all(outcome.why for outcome in failed)
+
+
 # Scenes that converge, as found (random ones: 34).
-FRONTIERS = {"ends": 12, "birdcage": 12, "hockling": 6, "random": 32}
+FRONTIERS = {"ends": 12, "birdcage": 12, "hockling": 6, "random": 32, "ropes": 150}

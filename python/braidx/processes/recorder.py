@@ -27,6 +27,9 @@ from .outcome import Outcome
 from .state import State
 
 SNAPSHOTS = "snapshots"
+HELD = (
+    0.05  # stabilisation's work over the energy above which results are those of its viscosity, too
+)
 WEIGHTS = {"form": 4.0, "settle": 1.0, "pull": 4.0, "hold": 1.0, "cycle": 6.0}
 
 
@@ -160,6 +163,13 @@ class Recorder:
         cost.ranks = self.comm.size
         cost.threads = self._threads
         summary.write(self.folder / "summary.json")
+        held = values.get("stabilisation_work_share", 0.0)
+        if held > HELD:
+            LOGGER.warning(
+                "the stabilisation did %.0f %% as much work as there was energy: look in history.csv where, and do not "
+                "trust results from there on; see docs/troubleshooting.md",
+                100.0 * held,
+            )
         return summary.as_dict()
 
     def _wanted(self, outcome: Outcome) -> bool:

@@ -136,7 +136,8 @@ class EndConditions(Table):
     sections: str = option(
         "free",
         choices=("free", "fixed"),
-        doc="Directors of beams at the two ends; those of a rigid group turn with it if they are fixed.",
+        doc="Directors of beams at the two ends; those of a rigid group turn with it if they are fixed. Where the rope "
+        "goes on past its ends they turn alike.",
     )
     groups: tuple[EndGroup, ...] = option(
         (), doc="Groups of ends with conditions of their own, one table [[ends.groups]] each."

@@ -1,0 +1,131 @@
+"""Elastic energy of yarns of degree 1 in NumPy, from the formulas of docs/theory.md and no code of the library."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from braidx.scene import Scene
+
+Floats = npt.NDArray[np.float64]
+SLACK = 1e-4  # strain about zero over which the tension of a cable fades out
+TILT = 0.1  # share of the shear of a beam that is taken at its nodes
+
+
+@dataclass(frozen=True)
+class Yarns:
+    """All yarns of a sample, equal in number of nodes.
+
+    Attributes:
+        scene: Gives stiffnesses and radius.
+        rest: Unknowns where strains are measured from, shape (num_yarns, num_nodes, 3 or 9), mm.
+        tension: In that state, shape (num_yarns, num_nodes - 1), N.
+    """
+
+    scene: Scene
+    rest: Floats
+    tension: Floats
+
+    def energy(self, now: Floats) -> float:
+        """Elastic energy, mJ; `now` as `rest`. That of the tension at rest is counted."""
+        cables = now.shape[-1] == 3
+        return self._energy_of_cables(now) if cables else self._energy_of_beams(now)
+
+    def stretching_work(self, now: Floats, axis: int) -> float:
+        """Derivative of the energy with an even stretch along x, y or z of all positions, directors kept, mJ."""
+        step = 1e-6
+        ends = []
+        for sign in (1.0, -1.0):
+            moved = now.copy()
+            moved[..., axis] *= 1.0 + sign * step
+            ends.append(self.energy(moved))
+        return (ends[0] - ends[1]) / (2.0 * step)
+
+    def tensions(self, now: Floats) -> Floats:
+        """Tension of cables, shape (num_yarns, num_nodes - 1), N."""
+        force, slack = self._bar_force(now)
+        fading = np.maximum(force + slack, 0.0) ** 2 / (4.0 * slack)
+        return np.where(force > slack, force, fading)
+
+    @property
+    def _lengths(self) -> Floats:
+        return np.asarray(np.linalg.norm(np.diff(self.rest[..., :3], axis=1), axis=2))
+
+    def _bar_force(self, now: Floats) -> tuple[Floats, float]:
+        stiffness = self.scene.yarn.axial_stiffness
+        slack = SLACK * stiffness
+        rest = np.where(
+            self.tension > slack, self.tension, 2.0 * np.sqrt(slack * self.tension) - slack
+        )
+        stretch = np.linalg.norm(np.diff(now[..., :3], axis=1), axis=2) / self._lengths
+        return rest + stiffness * (stretch - 1.0), slack
+
+    def _energy_of_cables(self, now: Floats) -> float:
+        force, slack = self._bar_force(now)
+        fading = np.maximum(force + slack, 0.0) ** 3 / (12.0 * slack)
+        density = np.where(force > slack, 0.5 * force**2 + slack**2 / 6.0, fading)
+        return float((density * self._lengths).sum()) / self.scene.yarn.axial_stiffness
+
+    def _energy_of_beams(self, now: Floats) -> float:
+        density = self._axial_and_turning(now) + self._of_sections(now)
+        stiffness = self.scene.yarn.axial_stiffness
+        preload = self.tension**2 / (2.0 * stiffness)
+        return float(((density + preload) * self._lengths).sum()) + self._tilting(now)
+
+    def _axial_and_turning(self, now: Floats) -> Floats:
+        """Energy per length at the middle of elements."""
+        yarn = self.scene.yarn
+        inertia, shear = np.pi * yarn.radius**4 / 4.0, yarn.shear_modulus
+        modulus, area = yarn.axial_stiffness / yarn.section_area, yarn.section_area
+        slope, g, rate = _frames(now, self._lengths)
+        slope0, g0, rate0 = _frames(self.rest, self._lengths)
+        e33 = 0.5 * ((slope**2).sum(-1) - (slope0**2).sum(-1))
+        shears = np.einsum("yeai,yei->yea", g, slope) - np.einsum("yeai,yei->yea", g0, slope0)
+        bends = np.einsum("yeai,yei->yea", rate, slope) - np.einsum("yeai,yei->yea", rate0, slope0)
+        twists = np.einsum("yeai,yebi->yeab", g, rate) - np.einsum("yeai,yebi->yeab", g0, rate0)
+        factor = yarn.bundle_factor
+        density = 0.5 * modulus * area * e33**2 + self.tension * e33
+        density += (1.0 - TILT) * 0.5 * area * shear * (shears**2).sum(-1)
+        density += 0.5 * factor * modulus * inertia * (bends**2).sum(-1)
+        density += 0.5 * factor * shear * inertia * (twists**2).sum((-1, -2))
+        return np.asarray(density)
+
+    def _of_sections(self, now: Floats) -> Floats:
+        """Energy per length of sections that are strained across, the mean of both ends of elements."""
+        yarn = self.scene.yarn
+        modulus = yarn.axial_stiffness / yarn.section_area
+        nu, transverse = yarn.poisson_transverse, yarn.transverse_modulus
+        m = transverse / modulus * yarn.poisson_axial**2
+        plane = transverse / ((1.0 + nu) * (1.0 - nu - 2.0 * m))
+        c11, c12 = plane * (1.0 - m), plane * (nu + m)
+        slope, slope0 = _frames(now, self._lengths)[0], _frames(self.rest, self._lengths)[0]
+        contraction = 0.5 * yarn.poisson_axial * ((slope**2).sum(-1) - (slope0**2).sum(-1))
+        total = np.zeros_like(contraction)
+        for end in (slice(None, -1), slice(1, None)):
+            g, g0 = (q[:, end, 3:].reshape(*slope.shape[:2], 2, 3) for q in (now, self.rest))
+            metric = 0.5 * (g @ g.swapaxes(-1, -2) - g0 @ g0.swapaxes(-1, -2))
+            e11, e22 = metric[..., 0, 0] + contraction, metric[..., 1, 1] + contraction
+            density = 0.5 * c11 * (e11**2 + e22**2) + c12 * e11 * e22
+            total += 0.5 * (density + (c11 - c12) * metric[..., 0, 1] ** 2)
+        return np.asarray(yarn.section_area * total)
+
+    def _tilting(self, now: Floats) -> float:
+        """Energy of the shear between sections and the central difference of positions, mJ."""
+        yarn, span = self.scene.yarn, self._lengths[:, :-1] + self._lengths[:, 1:]
+        tilts = []
+        for q in (now, self.rest):
+            tangent = (q[:, 2:, :3] - q[:, :-2, :3]) / span[..., None]
+            g = q[:, 1:-1, 3:].reshape(*span.shape, 2, 3)
+            tilts.append(np.einsum("yeai,yei->yea", g, tangent))
+        stiffness = TILT * yarn.shear_modulus * yarn.section_area * span / 2.0
+        return 0.5 * float((stiffness * ((tilts[0] - tilts[1]) ** 2).sum(-1)).sum())
+
+
+def _frames(q: Floats, lengths: Floats) -> tuple[Floats, Floats, Floats]:
+    """Slope, directors and their rates at the middle of elements."""
+    rate = np.diff(q, axis=1) / lengths[..., None]
+    middle = (q[:, 1:, 3:] + q[:, :-1, 3:]) / 2.0
+    shape = (*lengths.shape, 2, 3)
+    return rate[..., :3], middle.reshape(shape), rate[..., 3:].reshape(shape)
