@@ -13,7 +13,7 @@ from ..system.global_system import GlobalSystem
 from ..system.proximal import ProximalTerm
 from ..system.terms import BodyTerm, Floats, LoadTerm, Term
 from .couples import CoupleTerm
-from .first_guess import refuse_folds
+from .first_guess import FOLDED, FOLLOWED, follow_supports, refuse_folds
 from .folded import refuse_folded
 from .inertia import InertiaTerm
 from .layout import Layout
@@ -43,7 +43,7 @@ class Equilibria:
         self._comm, self._layout = comm, layout
         self._contact, self._proximal = contact, proximal
         self._supports, self._loads = supports, loads
-        self._newton, self._options = newton, options
+        self._newton_options, self._options = newton, options
         self._inertia: InertiaTerm | None = None
         self.prepare()
 
@@ -58,9 +58,9 @@ class Equilibria:
         terms += [self._contact, self._proximal, self._dead, self._couples]
         terms += [] if inertia is None else [inertia]
         self.system = GlobalSystem(self._comm, terms, self._supports.constraints(), np.zeros(size))
-        newton = Newton(self.system, self._newton, self._layout.is_director)
+        self._newton = Newton(self.system, self._newton_options, self._layout.is_director)
         self._incrementer = Incrementer(
-            newton, self._contact, self._proximal, conservative=not self._loads.has_couples
+            self._newton, self._contact, self._proximal, conservative=not self._loads.has_couples
         )
 
     def find(
@@ -79,7 +79,11 @@ class Equilibria:
         self._ask_for(share)
         fitting = self.system.expand(self.system.free_values(first))
         if blind:
-            refuse_folds(self._layout, start, fitting)
+            following = follow_supports(self.system, self._layout, self._contact, start, first)
+            refuse_folds(self._layout, start, fitting, FOLDED if following is None else FOLLOWED)
+            if following is not None:
+                self._newton.foresee(start, following)
+                fitting = following
         elements = self._contact.elements.copy()
         found = self._incrementer.solve(start, fitting, self._options)
         try:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
+import numpy.typing as npt
 from scipy.spatial import cKDTree
 
 from ..contact.contact import Contact
@@ -23,50 +26,71 @@ def refuse_passing(layout: Layout, contact: Contact, before: Floats, after: Floa
     Raises:
         Diverged: If centre lines meet on the way.
     """
-    lines = [layout.unknowns(rod, slice(None))[:, :3] for rod in range(len(layout.first))]
-    moved = max(float(np.linalg.norm((after - before)[line], axis=1).max()) for line in lines)
+    chords = Chords.of(layout, contact)
+    moved = float(np.linalg.norm((after - before)[chords.positions], axis=1).max())
     looks = min(MOST, int(moved / (PACE * contact.min_radius)))
     if looks < 2:
         return
-
-    def meet(state: Floats, a: int, b: int) -> bool:
-        return _meet(layout, contact, state[lines[a]], state[lines[b]], a, b)
-
     # What overlaps to begin with, as the ends of a ring do, says nothing of the way.
-    apart = [pair for pair in _pairs(contact) if not meet(before, *pair)]
+    known = chords.meetings(before)
     for share in np.arange(1, looks) / looks:
-        for a, b in apart:
-            if meet((1.0 - share) * before + share * after, a, b):
-                raise Diverged(f"rod {a} would go through rod {b} on the way", 0, 0)
+        met = chords.meetings((1.0 - share) * before + share * after) - known
+        if met:
+            raise Diverged("rod {} would go through rod {} on the way".format(*min(met)), 0, 0)
 
 
-def _pairs(contact: Contact) -> list[tuple[int, int]]:
-    """Rods that may touch each other, or may touch themselves."""
-    groups = contact.layout.group
-    number = len(contact.layout.radius)
-    themselves = np.isfinite(contact.pairing.search.self_exclusion)
-    return [
-        (a, b)
-        for a in range(number)
-        for b in range(a, number)
-        if (themselves if a == b else groups is None)
-    ]
+@dataclass(frozen=True)
+class Chords:
+    """Straight pieces between neighbouring nodes of all rods.
 
+    Attributes:
+        positions: Unknowns of the positions of all nodes, rod by rod, shape (num_nodes, 3).
+        first: Node that each chord starts at, the next one being its end, shape (num_chords,).
+        rod: Of each chord, shape (num_chords,).
+        radius: Of each chord's rod, mm, shape (num_chords,).
+        self_exclusion: Radii along a rod within which it does not meet itself.
+        others: Whether a rod may meet others.
+    """
 
-def _meet(layout: Layout, contact: Contact, a: Floats, b: Floats, rod: int, other: int) -> bool:
-    """Whether chords of two lines, shapes (na, 3) and (nb, 3), are too near each other."""
-    radius = layout.tubes.radius
-    limit = NEAR * float(radius[rod] + radius[other])
-    chords = [np.linalg.norm(np.diff(line, axis=0), axis=1) for line in (a, b)]
-    reach = limit + (chords[0].max() + chords[1].max()) / 2.0
-    trees = [cKDTree((line[1:] + line[:-1]) / 2.0) for line in (a, b)]
-    near = trees[0].sparse_distance_matrix(trees[1], reach, output_type="coo_matrix")
-    i, j = near.row, near.col
-    if rod == other:
-        arc = np.append(0.0, chords[0].cumsum())
-        apart = np.abs(arc[i] - arc[j]) > contact.pairing.search.self_exclusion * radius[rod]
-        i, j = i[apart], j[apart]
-    return bool(np.any(_distances(a, b, i, j) < limit))
+    positions: Ints
+    first: Ints
+    rod: Ints
+    radius: Floats
+    self_exclusion: float
+    others: bool
+
+    @classmethod
+    def of(cls, layout: Layout, contact: Contact) -> Chords:
+        rods = range(len(layout.first))
+        positions = np.concatenate([layout.unknowns(rod, slice(None))[:, :3] for rod in rods])
+        owner = np.repeat(rods, layout.num_nodes)
+        first = np.flatnonzero(owner[1:] == owner[:-1])
+        rod = owner[first]
+        exclusion = float(contact.pairing.search.self_exclusion)
+        others = contact.layout.group is None
+        return cls(positions, first, rod, layout.tubes.radius[rod], exclusion, others)
+
+    def meetings(self, state: Floats) -> set[tuple[int, int]]:
+        """Pairs of rods, the lower number first, that have chords too near each other in a state."""
+        nodes = state[self.positions]
+        begin, end = nodes[self.first], nodes[self.first + 1]
+        length = np.linalg.norm(end - begin, axis=1)
+        middle = (begin + end) / 2.0
+        farthest = 2.0 * NEAR * self.radius.max() + length.max()
+        i, j = cKDTree(middle).query_pairs(farthest, output_type="ndarray").T
+        limit = NEAR * (self.radius[i] + self.radius[j])
+        reach = limit + (length[i] + length[j]) / 2.0
+        asked = self._may_meet(i, j, length)
+        asked &= np.linalg.norm(middle[i] - middle[j], axis=1) <= reach
+        i, j = i[asked], j[asked]
+        near = _distances(nodes, nodes, self.first[i], self.first[j]) < limit[asked]
+        return set(zip(self.rod[i[near]].tolist(), self.rod[j[near]].tolist(), strict=True))
+
+    def _may_meet(self, i: Ints, j: Ints, length: Floats) -> npt.NDArray[np.bool_]:
+        """Whether chords i and j are of rods that may meet, or far from each other on one that may meet itself."""
+        before = np.cumsum(length) - length
+        apart = np.abs(before[i] - before[j]) > self.self_exclusion * self.radius[i]
+        return np.where(self.rod[i] == self.rod[j], apart, self.others)
 
 
 def _distances(a: Floats, b: Floats, i: Ints, j: Ints) -> Floats:

@@ -25,6 +25,7 @@ from .supports import Motion, Supports
 
 # Rods that hardly stretch: a step that bends them stretches them, too, and the next ones take that back.
 VAIN = 20
+MANY = 5000  # unknowns from which on factors of a tangent cost more than to solve with those of an earlier one
 Nodes = int | slice | Sequence[int]
 
 
@@ -98,6 +99,8 @@ class Rods(RodState):
             least_force=self.layout.round_off / tolerance,
             vain=VAIN,
             max_turn=1.0,
+            halving=True,
+            lagged=self.q.size > MANY,
         )
         options = IncrementOptions(
             pairing_tolerance=10 * tolerance,
@@ -132,9 +135,13 @@ class Rods(RodState):
         """What was held is free from now on."""
         self.supports.release(self.layout.unknowns(rod, nodes)[:, components].ravel())
 
-    def hold_mean(self, places: Sequence[tuple[int, int]]) -> int:
-        """The mean position of nodes, given as (rod, node), stays where it is; returns the number of the group."""
-        positions = [self.layout.unknowns(rod, node)[0, :3] for rod, node in places]
+    def hold_mean(self, places: Sequence[tuple[int, int]], components: Any = ALL) -> int:
+        """The mean position of nodes, given as (rod, node), or some components of it, stays where it is.
+
+        Returns:
+            Number of the group.
+        """
+        positions = [self.layout.unknowns(rod, node)[0, :3][components] for rod, node in places]
         return self.supports.hold_mean(np.array(positions), self.q)
 
     def move(
@@ -153,7 +160,7 @@ class Rods(RodState):
         )
 
     def move_mean(self, group: int, by: npt.ArrayLike) -> None:
-        """The mean position of a group moves, mm."""
+        """The mean position of a group moves, mm; of a group of some components, by as many."""
         self.supports.shift_mean(group, np.asarray(by, dtype=float))
 
     # What pulls

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -48,11 +49,23 @@ class RodState:
 
     def reaction(self, rod: int, node: int) -> tuple[Floats, Floats]:
         """Force (N) and moment about the node (N mm) that hold a node, shape (3,) each."""
+        position = self.q[self.layout.unknowns(rod, node)[0, :3]]
+        return self.resultant([(rod, node)], position)
+
+    def resultant(
+        self, places: Sequence[tuple[int, int]], about: npt.ArrayLike
+    ) -> tuple[Floats, Floats]:
+        """Force (N) and moment about a point (N mm) that hold nodes, given as (rod, node), shape (3,) each."""
         self._equilibria.system.set_state(self.q)
-        unknowns = self.layout.unknowns(rod, node)[0]
-        forces = self._equilibria.system.residual()[unknowns].reshape(-1, 3)
-        moment = np.cross(self.q[unknowns].reshape(-1, 3)[1:], forces[1:]).sum(axis=0)
-        return forces[0], moment
+        forces = self._equilibria.system.residual()
+        force, moment = np.zeros(3), np.zeros(3)
+        for rod, node in places:
+            unknowns = self.layout.unknowns(rod, node)[0]
+            arms, parts = (values[unknowns].reshape(-1, 3) for values in (self.q, forces))
+            force += parts[0]
+            moment += np.cross(arms[0] - np.asarray(about, dtype=float), parts[0])
+            moment += np.cross(arms[1:], parts[1:]).sum(axis=0)
+        return force, moment
 
     def contacts(self) -> dict[str, npt.NDArray[Any]]:
         """Results per contact element, see Contact.results; "tubes" are numbers of rods."""

@@ -44,7 +44,7 @@ class Supports:
 
     Attributes:
         held: Values that held unknowns have now, shape (num_unknowns,).
-        means: Values that held means have now, mm, one array of shape (3,) per group.
+        means: Values that held means have now, mm, one array of shape (num_components,) per group.
     """
 
     def __init__(self, rest: Floats) -> None:
@@ -66,7 +66,7 @@ class Supports:
         self._is_held[unknowns] = False
 
     def hold_mean(self, positions: Ints, q: Floats) -> int:
-        """The mean position of nodes, shape (n, 3), stays where it is; number of the group."""
+        """The mean of unknowns of nodes, shape (n, num_components), stays where it is; number of the group."""
         self._groups.append(positions)
         self.means.append(q[positions].mean(axis=0))
         return len(self._groups) - 1

@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from mpi4py.MPI import MAX
 from petsc4py import PETSc
 
 from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
 from .lagged import LaggedFactors
 from .petsc_options import PREFIX, set_options
+from .step_limit import StepLimit
 
 NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
 INDEFINITE = "the tangent is not positive definite"
@@ -35,6 +35,7 @@ class NewtonOptions:
         least_force: Force scale that counts at least, N: where nothing is strained yet, nothing but round-off is left
             to measure a residual against.
         vain: Full steps in a row, none of which comes nearer than the best before, after which steps are searched for.
+        halving: Whether steps that take back the last one are halved (solver/step_limit.py).
         lagged: Whether factors of earlier tangents may serve where the tangent is not symmetric (solver/lagged.py).
     """
 
@@ -46,6 +47,7 @@ class NewtonOptions:
     petsc: Mapping[str, object] | None = None
     least_force: float = 0.0
     vain: int = VAIN
+    halving: bool = False
     lagged: bool = False
 
 
@@ -101,6 +103,7 @@ class Newton:
         self.bold = True
         self._enough = self._iterations_left = 0.0
         self._least, self._in_vain, self._most_in_vain = np.inf, 0.0, np.inf
+        self._limit = StepLimit(system.comm, options.max_step, options.max_turn, options.halving)
         self._came_from: Floats | None = None  # where the last tangent was made
         self._found: Floats = np.empty(0)  # and where that step, the last one, led
         self.norm = np.inf
@@ -119,6 +122,10 @@ class Newton:
         """The next tangent is factorised: what comes does not depend on what was solved before."""
         if self._lagged is not None:
             self._lagged.forget()
+
+    def foresee(self, start: Floats, found: Floats) -> None:
+        """A step from `start`, with the tangent there, led to `found`, where the next solve is to begin."""
+        self._came_from, self._found = start, found
 
     def renew(self, indefinite: bool = False) -> None:
         """Sets the solver up for the system's current matrix, which may be told to be indefinite."""
@@ -203,6 +210,7 @@ class Newton:
         assert snes is not None
         self._iterations_left = self.max_iterations - before
         self._least, self._in_vain, self._most_in_vain = np.inf, 0, most_in_vain
+        self._limit.restart()
         begun = self._lagged.solves if self._lagged is not None else 0
         try:
             snes.solve(None, self.system.vector)
@@ -276,14 +284,7 @@ class Newton:
         first, last = step.getOwnershipRange()
         # Which unknowns are free may differ from increment to increment.
         turning = self.directors[self.system.constraints.free[first:last]]
-        values = step.array
-        turns = values[turning]
-        values[turning] = np.clip(turns, -self.options.max_turn, self.options.max_turn)
-        longest = self.system.comm.allreduce(
-            float(np.abs(values[~turning]).max(initial=0.0)), op=MAX
-        )
-        if longest > self.options.max_step:
-            values *= self.options.max_step / longest
+        self._limit.apply(step.array, turning)
         return True
 
 

@@ -109,6 +109,18 @@ class GlobalSystem:
         self.force_scale = float(self.term_norms.max())
         return parts.sum(axis=0)
 
+    def tangent_times(self, direction: Floats) -> Floats:
+        """Derivative of `residual` at the current state along a direction, shapes (num_unknowns,)."""
+        change = np.zeros(len(self.q))
+        for term in self.terms:
+            rows, cols = term.tangent_pattern()
+            along = direction if term.spread is None else term.spread @ direction
+            forces = np.bincount(rows, term.tangent_values() * along[cols], len(along))
+            change += forces if term.spread is None else term.spread.T @ forces
+        if self.comm.size > 1:
+            self.comm.Allreduce(MPI.IN_PLACE, change)
+        return change
+
     def free_values(self, q: Floats) -> Floats:
         """The free unknowns of q, shape (num_free,)."""
         return q[self.constraints.free]
