@@ -64,7 +64,19 @@ NB_MODULE(braidx_engine, m) {
     nb::implicitly_convertible<std::vector<Tube>, OwnedSurfaces>();
     nb::class_<std::vector<Crossing>>(m, "Crossings")
         .def("__len__", [](const std::vector<Crossing>& c) { return c.size(); });
-    nb::class_<Rigid>(m, "Rigid");
+    nb::class_<Rigid>(m, "Rigid")
+        .def(
+            "distances",
+            [](const Rigid& rigid, const In<double>& points) {
+                return make_array<double>({points.size() / 3}, [&](double* out) {
+                    for (std::size_t i = 0; i < points.size() / 3; ++i) {
+                        const Vec3 x = Eigen::Map<const Vec3>(points.data() + 3 * i);
+                        const auto nearest = rigid.nearest(x);
+                        out[i] = (x - nearest.position).dot(nearest.normal);
+                    }
+                });
+            },
+            "points"_a, "Signed distances of points, shape (n, 3), negative within the solid, mm.");
     nb::class_<ContactElements>(m, "ContactElements")
         .def(nb::init<>())
         .def("__len__", [](const ContactElements& e) { return e.size(); })

@@ -64,6 +64,10 @@ std::vector<int> periods_of(const TubePair& pair) {
     return pair.a.is_periodic() && pair.b.is_periodic() ? std::vector{0, -1, 1} : std::vector{0};
 }
 
+/// Spacings that a closest approach may move in one update and still be the one of before: curves
+/// that are found to cross elsewhere cross in a point there, too.
+constexpr double farthest_jump = 4;
+
 /// Point stations of before, at the closest approaches they have now. Their weights stay while the
 /// equilibrium of an increment is being found: a weight and the shape of the yarns that it depends
 /// on would chase each other. One whose approach is gone ends: line stations take its length over,
@@ -76,7 +80,7 @@ std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone
             const double arc_a = old.s_a * pair.a.element_length + periods * pair.a.length(),
                          arc_b = old.s_b * pair.b.element_length + periods * pair.b.length();
             const auto at = pair.closest(arc_a, arc_b);
-            if (!at || std::abs(at->first - arc_a) > spacing)
+            if (!at || std::abs(at->first - arc_a) > farthest_jump * spacing)
                 continue;
             const auto kept = pair.station(at->first, at->second, old.weight, point_station);
             if (covers(zone, kept))

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 import numpy as np
 from mpi4py import MPI
 
 from ..contact.contact import Contact
+from ..output.log import LOGGER
 from ..solver.increment import Increment, Incrementer, IncrementOptions
 from ..solver.newton import Newton, NewtonOptions
 from ..solver.trial import Diverged
@@ -15,11 +19,16 @@ from ..system.terms import BodyTerm, Floats, LoadTerm, Term
 from .couples import CoupleTerm
 from .first_guess import FOLDED, FOLLOWED, follow_supports, refuse_folds
 from .folded import refuse_folded
+from .held_ends import HeldEnds
 from .inertia import InertiaTerm
 from .layout import Layout
 from .loads import Loads
+from .overlap import hidden_overlap
 from .passing import refuse_passing
 from .supports import Supports
+
+LETTING_GO = 0.1  # share of the viscosity that is left when an increment is solved again
+LOOKS = 8  # solutions of an increment, at most
 
 
 class Equilibria:
@@ -51,6 +60,9 @@ class Equilibria:
         """Puts the system together with the present supports and loads, and with inertia for motion."""
         bodies = zip(self._layout.bodies, self._layout.first_body, strict=True)
         size = self._layout.rest.size
+        self._held_ends = HeldEnds(
+            self._layout, self._contact, self._supports.is_held, self._options.penetration
+        )
         self._dead = LoadTerm(size, self._comm.rank)
         self._couples = CoupleTerm(self._loads.directors(), self._comm.rank)
         self._inertia = inertia
@@ -76,6 +88,7 @@ class Equilibria:
         Raises:
             Diverged: If there is none to be found.
         """
+        self._held_ends.refuse_overlap(self._supports.advanced(share)[0])
         self._ask_for(share)
         fitting = self.system.expand(self.system.free_values(first))
         if blind:
@@ -84,16 +97,48 @@ class Equilibria:
             if following is not None:
                 self._newton.foresee(start, following)
                 fitting = following
-        elements = self._contact.elements.copy()
-        found = self._incrementer.solve(start, fitting, self._options)
+        elements, viscosity = self._contact.elements.copy(), self._proximal.viscosity
         try:
+            found = self._solve(start, fitting, elements)
             refuse_folded(self._layout, found.q)
             if not leap:
                 refuse_passing(self._layout, self._contact, start, found.q)
         except Diverged:
             self._contact.restore(elements)
             raise
+        finally:
+            self._proximal.viscosity = viscosity
         return found
+
+    def _solve(self, start: Floats, guess: Floats, elements: Any) -> Increment:
+        """The increment, solved again from what was found as long as that is no equilibrium in truth.
+
+        Places of contact are then looked for anew, and a tenth of the viscosity is left, against departures from there.
+        """
+        iterations = solves = 0
+        for _ in range(LOOKS):
+            found = self._incrementer.solve(start, guess, self._options)
+            iterations, solves = iterations + found.iterations, solves + found.linear_solves
+            why = self._what_is_wrong(found.q)
+            if not why:
+                return replace(found, iterations=iterations, linear_solves=solves)
+            LOGGER.debug("solved again: %s", why)
+            self._contact.restore(elements.copy())
+            self._proximal.viscosity = LETTING_GO * self._proximal.viscosity
+            guess = found.q
+        raise Diverged(why, iterations, solves)
+
+    def _what_is_wrong(self, q: Floats) -> str:
+        """What makes a state that was found no equilibrium, or nothing."""
+        depth, a, b = hidden_overlap(self._contact, q)
+        if depth:
+            return f"rods {a} and {b} overlap by {depth:.3g} mm more than contact sees"
+        if self._inertia is None and np.any(self._proximal.viscosity):
+            self._proximal.start = q
+            held = self._newton.residual(q)
+            if held > self._options.pairing_tolerance:
+                return f"viscosity holds {held:.1e} of the forces"
+        return ""
 
     def start_moving(self, q: Floats) -> None:
         """Gives inertia the forces on the state q, and the accelerations that go with them."""
@@ -108,12 +153,37 @@ class Equilibria:
 
     def forces(self, q: Floats) -> Floats:
         """Residual of all terms but inertia, of all processes, in the state q, shape (num_unknowns,), N."""
-        terms = self.system.terms
-        self.system.terms = [term for term in terms if term is not self._inertia]
-        self.system.set_state(q)
-        forces = self.system.residual()
-        self.system.terms = terms
+        return self._residual_without(q, self._inertia)
+
+    def unbalanced(self, q: Floats) -> Floats:
+        """Residual of all terms but stabilisation at the state accepted last, shape (num_unknowns,), N.
+
+        Inertia counts by the accelerations there, whatever the instant is at which the scheme balances them.
+        """
+        forces = self._residual_without(q, self._inertia, self._proximal)
+        if self._inertia is not None:
+            forces += self._inertia.mass * self._inertia.acceleration
         return forces
+
+    def applied(self, q: Floats) -> Floats:
+        """Loads and couples as they are at the state accepted last, shape (num_unknowns,), N and N mm."""
+        return -self._residual_of(q, [self._dead, self._couples])
+
+    def stop(self, q: Floats, share: float) -> None:
+        """Supports, loads and slip are those of the state accepted last, at a share of the way."""
+        self._ask_for(share)
+        self._contact.start = q
+
+    def _residual_without(self, q: Floats, *left_out: Term | None) -> Floats:
+        return self._residual_of(q, [term for term in self.system.terms if term not in left_out])
+
+    def _residual_of(self, q: Floats, terms: list[Term]) -> Floats:
+        everything = self.system.terms
+        self.system.terms = terms
+        self.system.set_state(q)
+        residual = self.system.residual()
+        self.system.terms = everything
+        return residual
 
     def _ask_for(self, share: float) -> None:
         """Sets supports and loads to a share of the way."""

@@ -18,6 +18,13 @@ class NotConverged(Exception):
     """No equilibrium was found. The message tells how far the way went, why, and likely cures."""
 
 
+class Impossible(Diverged):
+    """There is no equilibrium, however short the increment."""
+
+    def __init__(self, reason: str) -> None:
+        super().__init__(reason, 0, 0)
+
+
 def follow(
     step: Callable[[float, float, Floats], Increment],
     start: Floats,
@@ -46,6 +53,10 @@ def follow(
             end = 1.0
         try:
             increment = step(share, end, (end - share) * rate)
+        except Impossible as failure:
+            raise NotConverged(
+                f"no equilibrium at {end:.4g} of the way, after {len(found)} increments: {failure}."
+            ) from failure
         except Diverged as failure:
             LOGGER.warning("increment to %.4g cut: %s", end, failure)
             cuts, easy, rate = cuts + 1, 0, np.zeros_like(start)

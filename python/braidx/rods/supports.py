@@ -44,26 +44,27 @@ class Supports:
 
     Attributes:
         held: Values that held unknowns have now, shape (num_unknowns,).
+        is_held: Which unknowns are held, shape (num_unknowns,).
         means: Values that held means have now, mm, one array of shape (num_components,) per group.
     """
 
     def __init__(self, rest: Floats) -> None:
         self.held = rest.copy()
         self.means: list[Floats] = []
-        self._is_held = np.zeros(rest.size, dtype=bool)
+        self.is_held = np.zeros(rest.size, dtype=bool)
         self._groups: list[Ints] = []
         self._motions: list[Motion] = []
         self._shifts: list[tuple[int, Floats]] = []
 
     def hold(self, unknowns: Ints, q: Floats) -> None:
         """Unknowns stay where they are in the state q."""
-        fresh = np.unique(unknowns)[~self._is_held[np.unique(unknowns)]]
+        fresh = np.unique(unknowns)[~self.is_held[np.unique(unknowns)]]
         self.held[fresh] = q[fresh]
-        self._is_held[fresh] = True
+        self.is_held[fresh] = True
 
     def release(self, unknowns: Ints) -> None:
         """Unknowns are free again."""
-        self._is_held[unknowns] = False
+        self.is_held[unknowns] = False
 
     def hold_mean(self, positions: Ints, q: Floats) -> int:
         """The mean of unknowns of nodes, shape (n, num_components), stays where it is; number of the group."""
@@ -78,7 +79,7 @@ class Supports:
             ValueError: If one of their unknowns is not held and the motion would be lost on it.
         """
         moved = motion.unknowns[:, :3] if not motion.turn.any() else motion.unknowns
-        loose = ~self._is_held[moved]
+        loose = ~self.is_held[moved]
         needed = np.broadcast_to(motion.by != 0.0, (len(moved), 3))
         if motion.turn.any():
             needed = np.ones(moved.shape, dtype=bool)
@@ -112,7 +113,7 @@ class Supports:
     def constraints(self) -> ConstraintMap:
         """What the supports leave free."""
         constraints = Constraints(self.held.size)
-        constraints.hold(np.flatnonzero(self._is_held))
+        constraints.hold(np.flatnonzero(self.is_held))
         for group in self._groups:
             for component in group.T:
                 constraints.hold_mean(component)
@@ -120,7 +121,7 @@ class Supports:
 
     def values(self, held: Floats, means: list[Floats]) -> Floats:
         """Inhomogeneous values of the constraints, shape (num_unknowns,)."""
-        values = np.where(self._is_held, held, 0.0)
+        values = np.where(self.is_held, held, 0.0)
         for group, mean in zip(self._groups, means, strict=True):
             values[group[-1]] = len(group) * mean
         return values
