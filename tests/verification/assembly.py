@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 from mpi4py import MPI
-from support import Floats, tube_layout
+from support import Floats
 
 from braidx.bodies import CurveBody, SolidBody
 from braidx.contact.contact import Contact
 from braidx.contact.skins import SkinLayout
 from braidx.contact.tubes import TubeLayout
+from braidx.rods.layout import body_tubes
 from braidx.solver.increment import Increment, Incrementer, IncrementOptions
 from braidx.solver.newton import Newton, NewtonOptions
 from braidx.system.constraints import Constraints
@@ -63,7 +64,7 @@ class Assembly:
         self.q = np.concatenate([body.rest.ravel() for body in bodies])
         self.contact = Contact(
             MPI.COMM_SELF,
-            tube_layout(bodies[0], tube_radius) if tube_radius > 0.0 else NO_TUBES,
+            body_tubes(bodies[0], tube_radius) if tube_radius > 0.0 else NO_TUBES,
             smooth=True,
             symmetric=False,
             skins=self._skins(skins, length, dense),

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 from mpi4py import MPI
 
 from ..bodies import BeamBody, BeamSection, CableBody, CurveBody
@@ -74,15 +75,19 @@ def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
         groups.setdefault((type(rod), rod.degree, natural), []).append(number)
     bodies = tuple(_body(comm, [rods[i] for i in members]) for members in groups.values())
     first_body = np.cumsum([0, *(body.num_unknowns for body in bodies)])
-    first, block, place = (np.zeros(len(rods), dtype=np.int64) for _ in range(3))
-    of_body = np.zeros(len(rods), dtype=np.int64)
-    spans = np.zeros(len(rods))
-    for number, (body, members) in enumerate(zip(bodies, groups.values(), strict=True)):
-        mean = np.add.reduceat(body.rest_lengths(), body.layout.curve_elements[:-1])
-        mean = mean / np.diff(body.layout.curve_elements)
-        first[members] = first_body[number] + body.block * body.curves[:-1]
-        block[members], spans[members] = body.block, mean
-        of_body[members], place[members] = number, np.arange(len(members))
+    order = np.concatenate(list(groups.values()))
+    tubes = _joined(
+        [
+            body_tubes(body, [rods[i].radius for i in members], int(first))
+            for body, members, first in zip(bodies, groups.values(), first_body[:-1], strict=True)
+        ],
+        order,
+    )
+    sizes = [len(members) for members in groups.values()]
+    place = np.empty((len(rods), 2), dtype=np.int64)
+    place[order, 0] = np.repeat(np.arange(len(sizes)), sizes)
+    place[order, 1] = np.concatenate([np.arange(size) for size in sizes])
+    first, block, spans = tubes.first_unknown, tubes.block, tubes.element_length
     rest = np.concatenate([body.rest.ravel() for body in bodies])
     lengths, mass, is_director = (np.zeros(rest.size) for _ in range(3))
     num_nodes = np.array([len(rod.line) for rod in rods])
@@ -92,16 +97,6 @@ def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
         lengths[own] = share.repeat(block[number])
         mass[own] = (share[:, None] * _mass_per_length(rod)).ravel()
         is_director[own] = np.tile(np.arange(block[number]) >= 3, num_nodes[number])
-    degree = np.array([rod.degree for rod in rods])
-    tubes = TubeLayout(
-        first_unknown=first,
-        num_elements=(num_nodes - 1) // degree,
-        degree=degree,
-        block=block,
-        radius=np.array([float(rod.radius) for rod in rods]),
-        element_length=spans,
-        body=0 * first,
-    )
     return Layout(
         bodies,
         first_body[:-1],
@@ -113,8 +108,37 @@ def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
         mass,
         is_director.astype(bool),
         tubes,
-        np.stack([of_body, place], axis=1),
+        place,
         float(np.linalg.norm([_round_off(rod, h) for rod, h in zip(rods, spans, strict=True)])),
+    )
+
+
+def body_tubes(body: CurveBody, radius: npt.ArrayLike, first_unknown: int = 0) -> TubeLayout:
+    """Tubes around the curves of a body, all of one body as friction sees it.
+
+    Args:
+        radius: mm, shape (num_curves,) or one for all.
+        first_unknown: Of the body.
+    """
+    curves, elements = body.curves, body.layout.curve_elements
+    ones = np.ones(len(curves) - 1, dtype=np.int64)
+    return TubeLayout(
+        first_unknown=first_unknown + body.block * curves[:-1],
+        num_elements=np.diff(elements),
+        degree=body.layout.degree * ones,
+        block=body.block * ones,
+        radius=np.asarray(radius, dtype=float) * ones,
+        element_length=np.add.reduceat(body.rest_lengths(), elements[:-1]) / np.diff(elements),
+        body=0 * ones,
+    )
+
+
+def _joined(parts: Sequence[TubeLayout], order: Ints) -> TubeLayout:
+    """Tubes of several bodies, each where `order` tells, shape (num_tubes,)."""
+    back = np.argsort(order)
+    names = ("first_unknown", "num_elements", "degree", "block", "radius", "element_length", "body")
+    return TubeLayout(
+        **{name: np.concatenate([getattr(part, name) for part in parts])[back] for name in names}
     )
 
 

@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mpi4py import MPI
-from support import tube_layout
 
 from braidx.bodies import BeamBody, BeamSection, CableBody, CurveBody, YarnMaterial
 from braidx.contact.contact import Contact
 from braidx.geometry import build_rope
+from braidx.rods.layout import body_tubes
 from braidx.scene import load_scene
 
 SCENE = load_scene(Path(__file__).parents[3] / "demos" / "twisted_strand.toml")
@@ -26,7 +26,7 @@ def yarns(lines, beams) -> CurveBody:
 
 def contact_forces(body, q, start, friction):
     """Forces of contact on all unknowns, shape as q, after a step from `start` to `q`."""
-    contact = Contact(MPI.COMM_SELF, tube_layout(body, RADIUS), smooth=True, symmetric=True)
+    contact = Contact(MPI.COMM_SELF, body_tubes(body, RADIUS), smooth=True, symmetric=True)
     contact.laws.friction = [friction]
     contact.start = start.ravel()
     contact.update(q.ravel())
