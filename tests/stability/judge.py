@@ -144,7 +144,7 @@ class Watch:
     def _see(self, share: float) -> None:
         rods = self.rods
         self.increments += 1
-        external = external_forces(rods, share)
+        external = rods.external_forces()
         moved = rods.q - self._q
         turns = np.abs(moved[rods.layout.is_director]).max(initial=0.0)
         self._knows_work = self._knows_work and bool(turns < TURN)
@@ -177,7 +177,7 @@ class Watch:
         self.penetration, self._lines = max(self.penetration, depth), lines
 
     def _what_is_wrong(self) -> list[str]:
-        limit = self.rods._equilibria._options.penetration
+        limit = self.rods.penetration
         allowed = np.inf if limit is None else 1.05 * limit / self.rods.contact.min_radius
         error = self.energy_error()
         checks = {
@@ -205,22 +205,6 @@ class Watch:
         touching = self.rods.contacts()
         springs = 0.5 * float(touching["normal_force"] @ np.maximum(-touching["gap"], 0.0))
         return self.rods.elastic_energy() + springs
-
-
-def external_forces(rods: Rods, share: float) -> Floats:
-    """What supports, loads and stabilisation do to the rods as they are, shape (num_unknowns,), N and N mm.
-
-    Args:
-        share: Of the way that loads have gone.
-    """
-    whole = rods._equilibria.forces(rods.q)
-    unheld = np.zeros_like(whole)
-    rods._equilibria._dead.add_residual(unheld)
-    rods._equilibria._couples.add_residual(unheld)
-    rods.proximal.add_residual(unheld)
-    held = np.ones(whole.size, dtype=bool)
-    held[rods.supports.constraints().free] = False
-    return np.asarray(np.where(held, whole, 0.0) - unheld)
 
 
 def resultants(rods: Rods, external: Floats) -> tuple[float, float, float, float]:

@@ -61,8 +61,7 @@ FAMILY = Family(
     labels=("few", "many"),
     means=(
         "No answer is wrong. Those that fail say so, mostly because contacts come and go from one repetition "
-        "of the pairing to the next; many increments do not mend them, but cut fewer. Seeds were drawn anew "
-        "once: in a first draw held ends could be pushed into each other, and one seed of 20 was wrong for "
-        "that."
+        "of the pairing to the next; many increments do not mend them, but cut fewer. Held ends are not pushed "
+        "into each other in any of them: that would be refused."
     ),
 )

@@ -18,6 +18,9 @@ Floats = npt.NDArray[np.float64]
 class Cable:
     """A rod that resists nothing but stretching.
 
+    Across its line it is stiff by its tension alone: without any, straight, and free to move sideways it has no
+    stiffness there, and Newton mostly finds no equilibrium. Give it a tension, or hold it across until it has one.
+
     Attributes:
         line: Nodes at rest, shape (num_nodes, 3), mm.
         radius: Of its tube, mm.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from .inertia import InertiaTerm, Scheme
 from .layout import lay_out
 from .loads import Loads
 from .path import follow
+from .placed import placed
 from .rod import Rod
 from .state import ALL, RodState
 from .supports import Motion, Supports
@@ -45,7 +46,8 @@ class Rods(RodState):
         rigid: Rigid surfaces, from braidx_engine.make_plane, make_cylinder or make_sheave.
         spacing: Of places where contact is looked for, mm; half the shortest element by default, two radii at most.
         tolerance: Relative residual of an equilibrium.
-        viscosity: Of a stabilisation of positions, N/mm per node; its work is reported with each increment.
+        viscosity: Of a stabilisation of positions, N/mm per node, which lets go of what `solve` finds before it counts
+            as an equilibrium; motion it slows down.
         max_step: Largest change of a position in an iteration, mm; the size of the longest rod by default, the smallest
             radius where something may touch.
         comm: Processes that share the work.
@@ -55,6 +57,7 @@ class Rods(RodState):
         layout: Where each rod is among them.
         contact: Contact elements, laws and how they are made, for what has no argument here.
         supports, loads: What holds and what pulls.
+        penetration: Largest that is accepted, mm, or None.
         time: Of the last one, s.
         friction_work: Dissipated until now, mJ.
     """
@@ -87,6 +90,7 @@ class Rods(RodState):
         self.proximal = ProximalTerm(self.q.size, comm.rank)
         self.proximal.viscosity[:] = np.where(self.layout.is_director, 0.0, viscosity)
         self.time = self.friction_work = 0.0
+        self.penetration = None if penetration is None else penetration * self.contact.min_radius
         self._inertia: InertiaTerm | None = None
         radius = self.contact.min_radius
         touching = (contact and len(rods) > 1) or self_contact is not None or len(rigid) > 0
@@ -102,10 +106,7 @@ class Rods(RodState):
             halving=True,
             lagged=self.q.size > MANY,
         )
-        options = IncrementOptions(
-            pairing_tolerance=10 * tolerance,
-            penetration=None if penetration is None else penetration * radius,
-        )
+        options = IncrementOptions(pairing_tolerance=10 * tolerance, penetration=self.penetration)
         self._equilibria = Equilibria(
             comm,
             self.layout,
@@ -188,7 +189,7 @@ class Rods(RodState):
         increments: int = 1,
         *,
         max_cuts: int = 8,
-        guess: Floats | None = None,
+        guess: Floats | Mapping[int, Floats] | None = None,
         observe: Callable[[float], None] = lambda share: None,
     ) -> list[Increment]:
         """Equilibria on the way to what is asked for, in equal increments unless these have to be cut.
@@ -196,20 +197,22 @@ class Rods(RodState):
         Args:
             increments: Their number.
             max_cuts: How often an increment may be halved.
-            guess: First guess of the state at the end, shape (num_unknowns,), where one is better than the way so far;
-                the way there may go through other rods.
+            guess: First guess of the state at the end, where one is better than the way so far: all unknowns, shape
+                (num_unknowns,), or nodes of some rods by their number, shape (num_nodes, 3), mm, with which sections
+                turn as little as they can. The way there may go through other rods.
             observe: Called after each increment with the share of the way that is done.
         Raises:
             NotConverged: If no equilibrium is found; the state is the last one that was, motions and loads stay there.
         """
         self._inertia = None
         self._equilibria.prepare()
+        whole = placed(self.layout, self.q, guess) if isinstance(guess, Mapping) else guess
 
         def step(begin: float, end: float, before: Floats) -> Increment:
             first = self.q + before
-            if guess is not None:
-                first = self.q + (guess - self.q) * (end - begin) / (1.0 - begin)
-            given = guess is not None
+            if whole is not None:
+                first = self.q + (whole - self.q) * (end - begin) / (1.0 - begin)
+            given = whole is not None
             return self._equilibria.find(self.q, first, end, blind=not given, leap=given)
 
         return self._follow(step, increments, max_cuts, observe)
@@ -280,5 +283,6 @@ class Rods(RodState):
         try:
             return follow(step, self.q, increments, max_cuts, accept)
         finally:
+            self._equilibria.stop(self.q, done)
             self.supports.finish(done)
             self.loads.finish(done)

@@ -49,23 +49,59 @@ class RodState:
 
     def reaction(self, rod: int, node: int) -> tuple[Floats, Floats]:
         """Force (N) and moment about the node (N mm) that hold a node, shape (3,) each."""
-        position = self.q[self.layout.unknowns(rod, node)[0, :3]]
-        return self.resultant([(rod, node)], position)
+        force, moment = self.reactions(rod, node)
+        return force[0], moment[0]
 
     def resultant(
         self, places: Sequence[tuple[int, int]], about: npt.ArrayLike
     ) -> tuple[Floats, Floats]:
         """Force (N) and moment about a point (N mm) that hold nodes, given as (rod, node), shape (3,) each."""
-        self._equilibria.system.set_state(self.q)
-        forces = self._equilibria.system.residual()
+        unknowns = [self.layout.unknowns(rod, node)[0] for rod, node in places]
+        holding, centre = self._reactions(), np.asarray(about, dtype=float)
         force, moment = np.zeros(3), np.zeros(3)
-        for rod, node in places:
-            unknowns = self.layout.unknowns(rod, node)[0]
-            arms, parts = (values[unknowns].reshape(-1, 3) for values in (self.q, forces))
+        for own in unknowns:
+            arms, parts = (values[own].reshape(-1, 3) for values in (self.q, holding))
             force += parts[0]
-            moment += np.cross(arms[0] - np.asarray(about, dtype=float), parts[0])
+            moment += np.cross(arms[0] - centre, parts[0])
             moment += np.cross(arms[1:], parts[1:]).sum(axis=0)
         return force, moment
+
+    def reactions(
+        self, rod: int, nodes: int | slice | Sequence[int] = ALL
+    ) -> tuple[Floats, Floats]:
+        """Forces (N) and moments about each node (N mm) that hold nodes, shape (n, 3) each; 0 where they are free.
+
+        Of rods in motion, with what the acceleration of the node takes. A cable has no moments.
+        """
+        unknowns = self.layout.unknowns(rod, nodes)
+        parts = (x[unknowns].reshape(len(unknowns), -1, 3) for x in (self._reactions(), self.q))
+        forces, state = parts
+        return forces[:, 0], np.cross(state[:, 1:], forces[:, 1:]).sum(axis=1)
+
+    def residual(self) -> Floats:
+        """Forces that nothing balances, shape (num_unknowns,), N and, of directors, N mm: 0 in equilibrium.
+
+        Internal forces, contact and inertia less loads and what holds; a stabilisation is none of them.
+        """
+        return self._unbalanced()[0]
+
+    def external_forces(self) -> Floats:
+        """What supports and loads do to the rods as they are, shape (num_unknowns,), N and N mm.
+
+        Their work on small changes of the unknowns is what goes into the rods, their contacts and friction. In
+        equilibrium their forces cancel, and so do their moments, with those on rigid surfaces.
+        """
+        return self._reactions() + self._equilibria.applied(self.q)
+
+    def _reactions(self) -> Floats:
+        return self._unbalanced()[1]
+
+    def _unbalanced(self) -> tuple[Floats, Floats]:
+        """What nothing balances, and what supports do: shapes (num_unknowns,), N and N mm."""
+        both, constraints = self._equilibria.unbalanced(self.q), self._equilibria.system.constraints
+        left = np.zeros(both.size)
+        left[constraints.free] = constraints.reduce(both)
+        return left, both - left
 
     def contacts(self) -> dict[str, npt.NDArray[Any]]:
         """Results per contact element, see Contact.results; "tubes" are numbers of rods."""

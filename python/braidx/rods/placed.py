@@ -1,0 +1,53 @@
+"""First guesses of rods that are placed elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..system.terms import Floats
+from .layout import Layout
+
+
+def placed(layout: Layout, q: Floats, lines: Mapping[int, Floats]) -> Floats:
+    """The state q with some rods elsewhere, shape (num_unknowns,).
+
+    Args:
+        lines: Nodes by number of the rod, shape (num_nodes, 3), mm; directors turn with the tangent at their node, as
+            little as they can.
+    Raises:
+        ValueError: If a line has not the nodes of its rod.
+    """
+    guess = q.copy()
+    for rod, line in lines.items():
+        unknowns = layout.unknowns(rod, slice(None))
+        if np.shape(line) != (len(unknowns), 3):
+            raise ValueError(
+                f"guess of rod {rod} has shape {np.shape(line)}: give its {len(unknowns)} nodes"
+            )
+        before, after = _tangents(q[unknowns[:, :3]]), _tangents(np.asarray(line, dtype=float))
+        guess[unknowns[:, :3]] = line
+        for first in range(3, unknowns.shape[1], 3):
+            director = unknowns[:, first : first + 3]
+            guess[director] = _turned(q[director], before, after)
+    return guess
+
+
+def _tangents(line: Floats) -> Floats:
+    tangents = np.gradient(line, axis=0)
+    return np.asarray(tangents / np.linalg.norm(tangents, axis=1, keepdims=True))
+
+
+def _turned(vectors: Floats, before: Floats, after: Floats) -> Floats:
+    """Vectors turned as unit vectors `before` are turned into `after` on the shortest way; all shapes (n, 3).
+
+    Two reflections, on the plane across `before` and on that across the middle of both; tangents that turn back have
+    no shortest way, and stay what they are.
+    """
+    middle = before + after
+    length = np.linalg.norm(middle, axis=1, keepdims=True)
+    normals = np.where(length > 1e-6, middle / np.maximum(length, 1e-6), before)
+    for normal in (before, normals):
+        vectors = vectors - 2.0 * (vectors * normal).sum(axis=1, keepdims=True) * normal
+    return vectors
