@@ -61,10 +61,11 @@ FAMILY = Family(
     logarithmic=(False, False),
     labels=("solve", "run"),
     means=(
-        "`solve` stops with a message where the rod snaps to a loop. `run` goes on, but after that snap at "
-        "four turns the rod has nearly the length of one with fewer turns, and overlaps itself by 10 % of a "
-        "diameter unseen: it is wrong, and open. The suspicion is that it goes through itself within the 5 "
-        "radii that `self_contact` leaves out. Before increments were looked at on their way it plainly went "
-        "through itself."
+        "`solve` stops with a message where the rod snaps to a loop; `run` goes on, with increments cut a hundred "
+        "times at four turns. Where the loop first touches itself it crosses at a place that moves by more than the "
+        "distance of stations from one contact update to the next. Such places were lost once, and the rod overlapped "
+        "itself by 10 % of a diameter unseen; now they are followed, and contact that misses an overlap is looked for "
+        "again. Later an element was turned inside out, and was a hinge through which the rod lost all its turns; "
+        "such states are refused."
     ),
 )
