@@ -14,6 +14,7 @@ from .outcome import Outcome
 from .puller import Puller
 from .state import State
 
+SHALLOWER = 0.7  # share of the last slope that the next one is expected to have at least
 LANDING = 0.002  # a force is reached when it is missed by less than this fraction
 
 
@@ -77,7 +78,8 @@ def _to_force(puller: Puller, target: float, nominal: float, name: str) -> Itera
         attempt = puller.to(before + float(np.clip(wanted, -size, size)))
         change, force = puller.force() - force, puller.force()
         moved = puller.strain - before
-        slope = max(change / moved, 0.0) if moved else 0.0
+        # A rope that slips in a small increment has not lost its stiffness: the next is longer, but not a whole one.
+        slope = max(change / moved if moved else 0.0, SHALLOWER * slope)
         size = _next_size(size, attempt, nominal)
         puller.state = replace(
             puller.state, progress={**puller.state.progress, "size": size, "slope": slope}
