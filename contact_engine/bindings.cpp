@@ -106,7 +106,7 @@ NB_MODULE(braidx_engine, m) {
         .def_rw("crossing", &PairingOptions::crossing)
         .def_rw("spacing", &PairingOptions::spacing)
         .def_rw("point_tolerance", &PairingOptions::point_tolerance)
-        .def_rw("keep_points", &PairingOptions::keep_points)
+        .def_rw("within_increment", &PairingOptions::within_increment)
         .def_rw("stiffness", &PairingOptions::stiffness)
         .def_rw("area_stiffness", &PairingOptions::area_stiffness)
         .def_rw("keep_side", &PairingOptions::keep_side)
@@ -142,12 +142,13 @@ NB_MODULE(braidx_engine, m) {
     m.def(
         "make_contact_elements",
         [](const OwnedSurfaces& surfaces, const std::vector<Crossing>& crossings,
-           const std::vector<Rigid>& rigid, const In<double>& q, const ContactElements& previous,
-           const PairingOptions& options) {
+           const std::vector<Rigid>& rigid, const In<double>& q, const In<double>& q_start,
+           const ContactElements& previous, const PairingOptions& options) {
             return make_contact_elements({surfaces.tubes, crossings, rigid, surfaces.skins},
-                                         view(q), previous, options);
+                                         view(q), previous, options, view(q_start));
         },
-        "surfaces"_a, "crossings"_a, "rigid"_a, "q"_a, "previous"_a, "options"_a, without_gil);
+        "surfaces"_a, "crossings"_a, "rigid"_a, "q"_a, "q_start"_a, "previous"_a, "options"_a,
+        without_gil);
     m.def(
         "set_rest_overlaps",
         [](PairingOptions& options, const In<std::int32_t>& surface,

@@ -17,14 +17,15 @@ Committed commit(const DeformableSurfaces& surfaces, ContactElement& element, Un
     Committed out{0, std::max(0.0, -r.system.gap)};
     if (!r.acts()) {
         element.slip.setZero();
-        return out;
+    } else if (r.friction.coefficient > 0) {
+        element.slip = r.friction.remembered(r.slip);
+        out.work = r.friction_force.dot(r.slip - element.slip);
+        element.work += out.work;
+    } else {
+        element.slip = element.turn * element.slip;
     }
-    if (r.friction.coefficient <= 0)
-        return out;
-    const Vec3 remembered = r.friction.remembered(r.slip);
-    out.work = r.friction_force.dot(r.slip - remembered);
-    element.work += out.work;
-    element.slip = remembered;
+    element.turn.setIdentity(); // the next increment starts here
+    element.wall_start = element.wall;
     return out;
 }
 

@@ -20,8 +20,9 @@ Reaction reaction(const DeformableSurfaces& surfaces, const ContactElement& elem
     if (!out.acts() || mu <= 0)
         return out;
     out.friction.coefficient = mu;
-    const Vec3 moved = out.system.separation - start.separation + element.wall - element.wall_start;
-    out.slip = element.slip + moved - element.normal.dot(moved) * element.normal;
+    const Vec3 separation_start = start.separation + element.wall_start - element.wall;
+    const Vec3 slip = out.system.separation + element.turn * (element.slip - separation_start);
+    out.slip = slip - element.normal.dot(slip) * element.normal;
     out.friction_force = out.normal_force * out.friction.direction(out.slip);
     return out;
 }

@@ -1,5 +1,7 @@
 #include "builder.h"
 
+#include "turn.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -7,16 +9,36 @@
 namespace braidx {
 namespace {
 
-/// Surface particle of a tube that faces `direction`, in section coordinates (beams only).
-void face(const Tube& tube, Unknowns q, double s, const Vec3& direction, double (&xi)[2]) {
-    if (!tube.has_directors())
-        return;
-    const auto support = element_support(tube, s);
-    const double c1 = director(tube, q, support, 1).dot(direction),
-                 c2 = director(tube, q, support, 2).dot(direction);
-    const double norm = std::max(std::hypot(c1, c2), 1e-12);
-    xi[0] = tube.radius * c1 / norm;
-    xi[1] = tube.radius * c2 / norm;
+/// Section coordinates of the particle of a beam that faces a direction: its directors' components.
+struct FacingParticle {
+    double c1, c2, norm;
+
+    FacingParticle(const Tube& tube, Unknowns q, double s, const Vec3& direction) {
+        const auto support = element_support(tube, s);
+        c1 = director(tube, q, support, 1).dot(direction);
+        c2 = director(tube, q, support, 2).dot(direction);
+        norm = std::max(std::hypot(c1, c2), 1e-12);
+    }
+
+    /// At the surface but for `inside`, mm along the direction.
+    void place(double radius, double inside, double (&xi)[2]) const {
+        const double out = std::clamp(radius - inside / norm, 0.0, 2 * radius) / norm;
+        xi[0] = out * c1;
+        xi[1] = out * c2;
+    }
+};
+
+/// How far the surface particle that faces a direction is out along it, mm.
+double reach(const Tube& tube, Unknowns q, double s, const Vec3& direction) {
+    return tube.has_directors() ? tube.radius * FacingParticle(tube, q, s, direction).norm
+                                : tube.radius;
+}
+
+/// Places the particle of a beam that faces a direction; cables have theirs in their centre.
+void face(const Tube& tube, Unknowns q, double s, const Vec3& direction, double inside,
+          double (&xi)[2]) {
+    if (tube.has_directors())
+        FacingParticle(tube, q, s, direction).place(tube.radius, inside, xi);
 }
 
 } // namespace
@@ -67,7 +89,7 @@ ContactElements Builder::wall(std::int32_t a, const Rigid& rigid, std::int32_t n
                        .wall = wall.position,
                        .wall_start = rigid.at_start(wall.position)});
     }
-    return finished(std::move(out));
+    return finished(std::move(out), rigid.turn());
 }
 
 ContactElements Builder::crossing(const Crossing& crossing, std::int32_t number,
@@ -90,25 +112,59 @@ ContactElements Builder::crossing(const Crossing& crossing, std::int32_t number,
     return finished(std::move(out));
 }
 
-ContactElements Builder::finished(ContactElements elements) const {
+ContactElements Builder::finished(ContactElements elements, const Mat3& rigid) const {
     for (auto& e : elements)
-        e = complete(e);
+        e = complete(e, rigid);
     share_stiffness(elements);
     return elements;
 }
 
-/// The element with its memory, and the surface particles of beams.
-ContactElement Builder::complete(ContactElement e) const {
-    if (const auto* old = history_.predecessor(e, 4 * options_.spacing))
+/// The element with how it has turned, its memory, and its particles.
+ContactElement Builder::complete(ContactElement e, const Mat3& rigid) const {
+    const auto* old = history_.predecessor(e, 4 * options_.spacing);
+    e.turn = old && options_.within_increment && has_cable(e)
+                 ? old->turn
+                 : turn_of(surfaces_, e, q_start_, q_, rigid);
+    if (old)
         inherit(e, *old, options_.keep_side);
+    if (!against_rigid(e))
+        e.body_b = surfaces_.body(e.surface_b);
     if (e.facet_a < 0)
-        face(surfaces_.tube(e.surface_a), q_, e.s_a, e.normal, e.xi_a);
-    if (against_rigid(e))
-        return e;
-    if (e.facet_b < 0)
-        face(surfaces_.tube(e.surface_b), q_, e.s_b, -e.normal, e.xi_b);
-    e.body_b = surfaces_.body(e.surface_b);
+        place_particles(e);
     return e;
+}
+
+/// Whether a particle is in the centre of a cable. It would take any rotation found while the
+/// equilibrium is being sought for slip, one or two radii times the angle, but friction does not
+/// act on the tangents that the rotation is found from: that repetition does not converge.
+bool Builder::has_cable(const ContactElement& e) const {
+    const auto is_cable = [&](std::int32_t surface, std::int32_t facet) {
+        return facet < 0 && !surfaces_.tube(surface).has_directors();
+    };
+    return is_cable(e.surface_a, e.facet_a) ||
+           (!against_rigid(e) && is_cable(e.surface_b, e.facet_b));
+}
+
+/// Particles of a tube a and of b, on which friction acts. Those of beams are at one point: where
+/// surfaces penetrate, midway between them, or on that of a skin or a rigid b, whose particles stay
+/// on it. Forces at two points would leave a couple.
+void Builder::place_particles(ContactElement& e) const {
+    const Tube& a = surfaces_.tube(e.surface_a);
+    const Vec3 x_a = position(a, q_, e.s_a);
+    double depth = e.normal.dot(x_a) + reach(a, q_, e.s_a, e.normal);
+    if (against_rigid(e)) {
+        depth -= e.normal.dot(e.wall);
+    } else if (e.facet_b >= 0) {
+        const Skin& skin = surfaces_.skin(e.surface_b);
+        const auto weights = facet_weights(skin.kind, e.xi_b[0], e.xi_b[1]);
+        depth -= e.normal.dot(combined(skin, q_, e.facet_b, weights.value));
+    } else {
+        const Tube& b = surfaces_.tube(e.surface_b);
+        depth += reach(b, q_, e.s_b, e.normal) - e.normal.dot(position(b, q_, e.s_b));
+        depth *= 0.5;
+        face(b, q_, e.s_b, -e.normal, depth, e.xi_b);
+    }
+    face(a, q_, e.s_a, e.normal, depth, e.xi_a);
 }
 
 Vec3 Builder::centre_to_centre(std::int32_t a, std::int32_t b, const Station& s) const {

@@ -10,9 +10,11 @@ namespace braidx {
 /// that it knows stays as it is, so that threads may use it together.
 class Builder {
 public:
-    Builder(const DeformableSurfaces& surfaces, Unknowns q, const ContactElements& previous,
-            const PairingOptions& options)
-        : surfaces_(surfaces), q_(q), options_(options), history_(previous, surfaces) {}
+    /// Unknowns now, and when the increment started.
+    Builder(const DeformableSurfaces& surfaces, Unknowns q, Unknowns q_start,
+            const ContactElements& previous, const PairingOptions& options)
+        : surfaces_(surfaces), q_(q), q_start_(q_start), options_(options),
+          history_(previous, surfaces) {}
 
     ContactElements zone(const ProximityZone& zone, const std::vector<Station>& stations) const;
 
@@ -22,18 +24,21 @@ public:
     ContactElements crossing(const Crossing& crossing, std::int32_t number,
                              const std::vector<OrientedStation>& stations) const;
 
-    /// Elements of one zone with their memory, the surface particles of beams, and one penalty.
-    ContactElements finished(ContactElements elements) const;
+    /// Elements of one zone with their memory, the particles of beams, how they have turned, and
+    /// one penalty. `rigid`: how the rigid surface b, if it is one, has turned.
+    ContactElements finished(ContactElements elements, const Mat3& rigid = Mat3::Identity()) const;
 
     const History& history() const { return history_; }
 
 private:
-    ContactElement complete(ContactElement element) const;
+    ContactElement complete(ContactElement element, const Mat3& rigid) const;
+    bool has_cable(const ContactElement& element) const;
+    void place_particles(ContactElement& element) const;
     Vec3 centre_to_centre(std::int32_t a, std::int32_t b, const Station& s) const;
     void share_stiffness(ContactElements& elements) const;
 
     DeformableSurfaces surfaces_;
-    Unknowns q_;
+    Unknowns q_, q_start_;
     const PairingOptions& options_;
     History history_;
 };

@@ -24,9 +24,12 @@ struct ContactElement {
     std::int32_t facet_a = -1, facet_b = -1; ///< facets of skins
     double xi_a[2] = {0, 0};  ///< transverse coordinates of the surface particles (beams), mm;
     double xi_b[2] = {0, 0};  ///< reference coordinates on facets
-    Vec3 slip = Vec3::Zero(); ///< remembered reversible slip of b against a, mm
-    double work = 0;          ///< work dissipated by friction so far, N mm = mJ
-    Vec3 wall = Vec3::Zero(); ///< particle of a rigid surface b now, mm
+    Vec3 slip = Vec3::Zero(); ///< remembered reversible slip of b against a, mm, in the directions
+                              ///< that were when the increment started
+    Mat3 turn = Mat3::Identity();   ///< how the pair has turned as a whole since then, see turn.h;
+                                    ///< none between increments
+    double work = 0;                ///< work dissipated by friction so far, N mm = mJ
+    Vec3 wall = Vec3::Zero();       ///< particle of a rigid surface b now, mm
     Vec3 wall_start = Vec3::Zero(); ///< and when the increment started
     double allowance = 0; ///< added to the gap: sections of a crossing that do not face each other,
                           ///< overlaps at rest, smooth surfaces above facets, mm

@@ -1,6 +1,5 @@
 #include "history.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 namespace braidx {
@@ -45,15 +44,11 @@ const ContactElement* History::predecessor(const ContactElement& element, double
 }
 
 void inherit(ContactElement& element, const ContactElement& predecessor, bool keep_side) {
+    const Vec3 turned = element.turn * (predecessor.turn.transpose() * predecessor.normal);
     if (keep_side && element.crossing < 0 && !against_rigid(element) && element.facet_a < 0 &&
-        element.facet_b < 0 && element.normal.dot(predecessor.normal) < 0)
+        element.facet_b < 0 && element.normal.dot(turned) < 0)
         element.normal = -element.normal;
-    const double length = predecessor.slip.norm();
-    if (length > 0) {
-        const auto turn = Eigen::Quaterniond::FromTwoVectors(predecessor.normal, element.normal);
-        element.slip = turn * predecessor.slip;
-        element.slip -= element.normal.dot(element.slip) * element.normal;
-    }
+    element.slip = predecessor.slip;
     element.work = predecessor.work;
     element.stiffness = predecessor.stiffness;
 }

@@ -131,9 +131,9 @@ std::vector<Station> zone_stations(const Tubes& tubes, Unknowns q, const Proximi
     const TubePair pair{tubes[zone.tube_a], tubes[zone.tube_b], q, zone.orientation};
     const double spacing = cell_length(pair.a, pair.b, options.spacing);
     auto line = line_stations(pair, zone.pairs, spacing);
-    const auto points = options.keep_points ? kept_points(pair, zone, history, spacing)
-                                            : new_points(pair, zone, line, history, spacing,
-                                                         options.point_tolerance);
+    const auto points = options.within_increment ? kept_points(pair, zone, history, spacing)
+                                                 : new_points(pair, zone, line, history, spacing,
+                                                              options.point_tolerance);
     auto stations = share_length(std::move(line), points, pair);
     const double reach = pair.a.radius + pair.b.radius + options.search.margin;
     const auto [first, last] = unseparated.equal_range({zone.tube_a, zone.tube_b});
@@ -197,8 +197,9 @@ bool is_own(const PairingOptions& options, std::int64_t surface, std::int64_t ot
 
 ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
                                       const ContactElements& previous,
-                                      const PairingOptions& options) {
-    const Builder builder(surfaces.deformable(), q, previous, options);
+                                      const PairingOptions& options, Unknowns q_start) {
+    const Builder builder(surfaces.deformable(), q, q_start.empty() ? q : q_start, previous,
+                          options);
     const auto stations = own_crossings(surfaces, q, options);
     const auto crossings =
         crossing_parts(builder, surfaces.crossings, stations, options.num_threads);

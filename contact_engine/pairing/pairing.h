@@ -20,8 +20,10 @@ struct PairingOptions {
     double spacing = 1.0; ///< of line stations, mm
     double point_tolerance =
         0.005; ///< approach that line stations may miss before a point station is added, mm
-    bool keep_points = false; ///< point stations are those of before, with their weights
-    double stiffness = 1000;  ///< first penalty per length of a new zone, N/mm per mm
+    bool within_increment = false; ///< not the first contact elements of an increment: point
+                                   ///< stations are those of before, with their weights, and pairs
+                                   ///< with a cable have turned as the first guess did
+    double stiffness = 1000;       ///< first penalty per length of a new zone, N/mm per mm
     RestOverlaps rest_overlaps;
     double area_stiffness = 1000; ///< the same per area, for contact points of skins, N/mm per mm^2
     bool keep_side =
@@ -48,9 +50,10 @@ struct Surfaces {
 bool is_own(const PairingOptions& options, std::int64_t surface, std::int64_t other);
 
 /// Contact elements for the current configuration. Those of `previous` hand on slip, work, penalty
-/// and the side.
+/// and the side; how pairs have turned is seen from the unknowns when the increment started,
+/// `q_start`, by default the current ones.
 ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
                                       const ContactElements& previous,
-                                      const PairingOptions& options);
+                                      const PairingOptions& options, Unknowns q_start = {});
 
 } // namespace braidx

@@ -199,7 +199,7 @@ ContactElements SkinBuilder::wall(std::int32_t skin_a, const Rigid& rigid,
                        .wall_start = rigid.at_start(wall.position),
                        .allowance = point.rise * point.normal.dot(wall.normal)});
     }
-    return builder_.finished(std::move(out));
+    return builder_.finished(std::move(out), rigid.turn());
 }
 
 std::vector<ContactElements> skin_parts(const Surfaces& surfaces, Unknowns q,

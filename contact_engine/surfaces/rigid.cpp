@@ -42,12 +42,15 @@ SurfacePoint Rigid::nearest(const Vec3& x) const {
     return std::visit([&](const auto& s) { return s.nearest(x); }, shape);
 }
 
-Vec3 Rigid::at_start(const Vec3& x) const {
-    const Vec3 back = x - translation - pivot;
+Mat3 Rigid::turn() const {
     const double angle = rotation.norm();
     if (angle == 0)
-        return pivot + back;
-    return pivot + Eigen::AngleAxisd(-angle, rotation / angle) * back;
+        return Mat3::Identity();
+    return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
+}
+
+Vec3 Rigid::at_start(const Vec3& x) const {
+    return pivot + turn().transpose() * (x - translation - pivot);
 }
 
 } // namespace braidx

@@ -51,6 +51,9 @@ struct Rigid {
 
     SurfacePoint nearest(const Vec3& x) const;
 
+    /// Rotation of the increment.
+    Mat3 turn() const;
+
     /// Where a particle of the surface, now at x, was when the increment started.
     Vec3 at_start(const Vec3& x) const;
 };

@@ -115,8 +115,8 @@ class Assembly:
         self._ties.append((np.array(followers), leader))
         return int(leader)
 
-    def solve(self) -> Increment:
-        """Equilibrium with held values and loads as they are now, from the state `q`."""
+    def solve(self, guess: Floats | None = None) -> Increment:
+        """Equilibrium with held values and loads as they are now, from the state `q`; it is also the first guess."""
         constraints = Constraints(self.q.size)
         constraints.hold(np.flatnonzero(self._fixed))
         values = np.where(self._fixed, self.held, 0.0)
@@ -128,7 +128,7 @@ class Assembly:
         self.system = GlobalSystem(MPI.COMM_SELF, terms, constraints.resolve(), values)
         blocks = [np.tile(np.arange(b.block) >= 3, b.num_nodes) for b in self.bodies]
         newton = Newton(self.system, self._newton, np.concatenate(blocks))
-        first = self.system.expand(self.system.free_values(self.q))
+        first = self.system.expand(self.system.free_values(self.q if guess is None else guess))
         increment = Incrementer(newton, self.contact, self._proximal).solve(
             self.q, first, self._options
         )

@@ -92,9 +92,19 @@ class Contact:
         return self.symmetrised or not any(self.laws.friction)
 
     def update(self, q: Floats) -> None:
-        """Makes contact elements anew at the unknowns q; memory is carried over."""
+        """Makes contact elements anew at the unknowns q; memory is carried over, and turns with the pairs.
+
+        Without a start an increment starts here.
+        """
+        start = self.start if self.start.size else q
         self.elements = engine.make_contact_elements(
-            self.surfaces, self.crossings, self.rigid, self._seen(q), self.elements, self.pairing
+            self.surfaces,
+            self.crossings,
+            self.rigid,
+            self._seen(q),
+            self._seen(start),
+            self.elements,
+            self.pairing,
         )
         self._lay_out()
 

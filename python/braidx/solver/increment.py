@@ -184,7 +184,7 @@ class Incrementer:
 
     def _update(self, trial: Trial) -> None:
         """New contact elements, and the residual they leave."""
-        self.contact.pairing.keep_points = trial.updates >= NEW_POINTS
+        self.contact.pairing.within_increment = trial.updates >= NEW_POINTS
         self.contact.update(trial.q)
         self.proximal.damping = np.zeros_like(trial.q)
         self._measure(trial)

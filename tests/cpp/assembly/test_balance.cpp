@@ -79,21 +79,28 @@ TEST_CASE("C9: moments of a and b sum to zero without friction", "[balance]") {
         }
 }
 
-TEST_CASE("C9: friction of beams acts at their surfaces, where they touch", "[balance]") {
-    auto contact = pressed(beam, 1.2, 0.3);
-    std::erase_if(contact.elements, [](const auto& e) { return e.station != point_station; });
-    REQUIRE(contact.elements.size() == 1);
-    const auto& [rods, elements, start, laws] = contact;
-    const Vector residual = contact.residual();
-    const Load a = load_on(rods.tubes[0], rods.q, residual);
-    const Load b = load_on(rods.tubes[1], rods.q, residual);
-    const auto r = reaction(rods.tubes, elements[0], rods.q, start, laws);
-    CHECK(r.friction_force.norm() > 1);
-    // The particles are apart by the penetration, and by nothing else.
-    const Vec3 left_over = r.system.gap * elements[0].normal.cross(-r.friction_force);
-    CHECK((a.moment + b.moment - left_over).norm() < 1e-12 * residual.norm() * 6);
-    // Along z at a's surface, one radius (1 mm) off its axis: friction bends the rods.
-    CHECK(std::abs(std::abs(a.moment[1]) - r.friction_force.norm()) < 1e-9);
+TEST_CASE("C9: friction of beams acts at one point, where they touch", "[balance]") {
+    for (const double angle : {0.0, 0.7, 1.2}) {
+        auto contact = pressed(beam, angle, 0.3);
+        if (angle > 0)
+            std::erase_if(contact.elements,
+                          [](const auto& e) { return e.station != point_station; });
+        REQUIRE(contact.elements.size() >= 1);
+        const auto& [rods, elements, start, laws] = contact;
+        const Vector residual = contact.residual();
+        const Load a = load_on(rods.tubes[0], rods.q, residual);
+        const Load b = load_on(rods.tubes[1], rods.q, residual);
+        double friction = 0, arm = 0;
+        for (const auto& e : elements) {
+            const auto r = reaction(rods.tubes, e, rods.q, start, laws);
+            friction += r.friction_force.norm();
+            arm = 1 + 0.5 * r.system.gap; // midway between the surfaces, a's is 1 mm off its axis
+        }
+        CHECK(friction > 1);
+        CHECK((a.moment + b.moment).norm() < 1e-12 * residual.norm() * 6);
+        // Along z: friction bends the rods.
+        CHECK(std::abs(std::abs(a.moment[1]) - arm * friction) < 1e-9);
+    }
 }
 
 TEST_CASE("C9: the moment of a contact element is that of its centres' and particles' distance",

@@ -1,7 +1,6 @@
 #include "pairing/history.h"
 #include "support/rods.h"
 
-#include <Eigen/Geometry>
 #include <catch2/catch_test_macros.hpp>
 
 using namespace braidx;
@@ -65,25 +64,16 @@ TEST_CASE("walls keep to themselves", "[history]") {
     CHECK(history.predecessor(element, 1.0) == &old[1]);
 }
 
-TEST_CASE("slip turns with the normal and keeps its length", "[history]") {
-    Random random;
-    for (int i = 0; i < 50; ++i) {
-        auto old = element_at(2, 2, 5, random.unit());
-        const Vec3 v = random.unit();
-        old.slip = 0.007 * (v - v.dot(old.normal) * old.normal).normalized();
-        old.work = 3.5;
-        old.stiffness = 4321;
-        const Vec3 turn = random.vector(0.4);
-        const auto rotation = Eigen::AngleAxisd(turn.norm(), turn.normalized());
-        auto element = element_at(2, 2, 5, rotation * old.normal);
-        inherit(element, old, true);
-        CHECK(std::abs(element.slip.dot(element.normal)) < 1e-16);
-        CHECK(std::abs(element.slip.norm() - 0.007) < 1e-12);
-        CHECK(element.work == 3.5);
-        CHECK(element.stiffness == 4321);
-        if (std::abs(turn.dot(old.normal)) < 0.05) // no turn about the normal: the same turn
-            CHECK((element.slip - rotation * old.slip).norm() < 0.007 * 0.06);
-    }
+TEST_CASE("memory is handed on", "[history]") {
+    auto old = element_at(2, 2, 5, Vec3::UnitX());
+    old.slip = {0, 0.003, 0.004};
+    old.work = 3.5;
+    old.stiffness = 4321;
+    auto element = element_at(2, 2, 5, Vec3(0.8, 0.6, 0));
+    inherit(element, old, true);
+    CHECK(element.slip == old.slip); // in the directions of the start of the increment
+    CHECK(element.work == 3.5);
+    CHECK(element.stiffness == 4321);
 }
 
 TEST_CASE("the normal keeps its side, whatever the centres say", "[history]") {

@@ -53,7 +53,7 @@ TEST_CASE("normals are unit, from a to b, through the centres", "[pairing]") {
     }
 }
 
-TEST_CASE("surface particles of beams face each other", "[pairing]") {
+TEST_CASE("particles of beams face each other and meet midway between the surfaces", "[pairing]") {
     const Rods rods = raft(beam);
     for (const auto& e : make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, {})) {
         const auto particle = [&](const Tube& tube, double s, const double(&xi)[2]) -> Vec3 {
@@ -63,7 +63,10 @@ TEST_CASE("surface particles of beams face each other", "[pairing]") {
         };
         const Vec3 a = particle(rods.tubes[e.surface_a], e.s_a, e.xi_a);
         const Vec3 b = particle(rods.tubes[e.surface_b], e.s_b, e.xi_b);
-        CHECK(std::abs(a.norm() - 1) < 1e-12);
+        const Vec3 apart = position(rods.tubes[e.surface_b], rods.q, e.s_b) -
+                           position(rods.tubes[e.surface_a], rods.q, e.s_a);
+        CHECK(std::abs((apart + b - a).dot(e.normal)) < 1e-12);
+        CHECK(std::abs(a.norm() - b.norm()) < 1e-12);
         CHECK(a.dot(e.normal) > 0.9);
         CHECK(b.dot(e.normal) < -0.9);
     }
@@ -184,7 +187,7 @@ TEST_CASE("kept point stations keep their weight and follow the closest approach
     REQUIRE(points(before).size() == 1);
     for (std::int32_t i = 0; i < rods.tubes[1].num_nodes(); ++i)
         rods.q[static_cast<std::size_t>(rods.tubes[1].unknown_of(i)) + 2] += 0.3;
-    options.keep_points = true;
+    options.within_increment = true;
     const auto kept = points(make_contact_elements({rods.tubes, {}, {}}, rods.q, before, options));
     REQUIRE(kept.size() == 1);
     CHECK(kept[0].weight == points(before)[0].weight);

@@ -100,7 +100,7 @@ TEST_CASE("a point station that passes the end of a period keeps its memory", "[
     const auto point_at = [](double height, const ContactElements& before, bool kept) {
         const Rods rods = meeting_at(smooth_cable, height);
         PairingOptions options;
-        options.keep_points = kept;
+        options.within_increment = kept;
         auto elements = make_contact_elements({rods.tubes, {}, {}}, rods.q, before, options);
         std::erase_if(elements, [](const auto& e) { return e.station != point_station; });
         return elements;

@@ -71,7 +71,7 @@ class Press:
     def update(self, previous: Any) -> Any:
         options = engine.PairingOptions()
         return engine.make_contact_elements(
-            self.tubes, no_crossings(), self.walls, self.q, previous, options
+            self.tubes, no_crossings(), self.walls, self.q, self.start, previous, options
         )
 
     def residual(self, elements: Any, q: Floats) -> Floats:

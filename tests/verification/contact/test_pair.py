@@ -12,8 +12,8 @@ LINES = (
 
 
 MOMENTS = (
-    "friction of beams acts on their surfaces, which are a penetration apart where they touch: it leaves a couple of "
-    "friction times penetration."
+    "friction of beams acts at one point only where their sections contain the normal. At line stations of beams that "
+    "cross they do not, so that the two particles are a little aside of each other."
 )
 
 
@@ -45,7 +45,7 @@ def test_pair(record):
     size, normal = rods.q.size, rods.contacts()["normal_force"].sum()
     forces, moments = wrench(rods)
     record.check("C9", "pair: sum of forces", forces, 0.0, 1e-9, scale=normal, unknowns=size)
-    options = {"scale": normal * 2.0 * RADIUS, "missed": MOMENTS, "measured": 1e-3}
+    options = {"scale": normal * 2.0 * RADIUS, "missed": MOMENTS, "measured": 2e-4}
     record.check("C9", "pair: sum of moments", moments, 0.0, 1e-9, unknowns=size, **options)
     for rod in (0, 1):
         what, scale = "pair swapped: positions over the radius", RADIUS
