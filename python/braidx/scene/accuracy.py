@@ -28,8 +28,8 @@ class Choice:
         station_spacing: Over the length of an element between nodes.
         penetration: Tolerance of penetrations over the radius.
         step: Strain per increment of a pull; travel of the ends per increment of bending, over the yarn's radius.
-        reached: Largest error measured with these options, as a fraction; more than the level where the level was not
-            reached.
+        reached: Largest error measured with these options or finer ones, as a fraction; more than the level where the
+            level was not reached.
     """
 
     degree: int
@@ -43,15 +43,18 @@ class Choice:
 # By level, of ropes that are pulled and of ropes that are bent: the cheapest options measured that reach the level in
 # tests/benchmark/accuracy_cost, whose test compares these numbers with the measured ones.
 PULLED: Mapping[str, Choice] = {
-    "5%": Choice(1, 3.0, 0.25, 0.015, 1e-3, 0.0092),
-    "1%": Choice(2, 2.5, 0.25, 0.015, 1e-3, 0.0013),
-    "0.1%": Choice(2, 2.5, 0.25, 0.015, 1e-3, 0.0013),
+    "5%": Choice(1, 2.0, 0.25, 0.015, 1e-3, 0.024),
+    "1%": Choice(1, 5.0, 0.25, 0.015, 1e-3, 0.0095),
+    "0.1%": Choice(1, 10.0, 0.25, 0.015, 1e-3, 0.0049),
 }
 BENT: Mapping[str, Choice] = {
-    "5%": Choice(1, 10.0, 0.25, 0.005, 0.417, 0.014),
-    "1%": Choice(2, 8.0, 0.25, 0.005, 0.208, 0.012),
-    "0.1%": Choice(2, 8.0, 0.25, 0.005, 0.208, 0.012),
+    "5%": Choice(1, 6.0, 0.25, 0.005, 0.417, 0.0355),
+    "1%": Choice(1, 10.0, 0.25, 0.0015, 0.417, 0.0093),
+    "0.1%": Choice(1, 20.0, 0.25, 0.0015, 0.417, 0.0028),
 }
+APART = (
+    1 / 3
+)  # radii of a yarn between nodes at least: closer ones form other shapes, or do not come to rest
 EIGHTHS = 8  # of a lay: what stands for crossings where there are none
 
 
@@ -84,14 +87,20 @@ def choice(scene: Scene, level: str) -> Choice:
 def options(scene: Scene, level: str) -> dict[str, Any]:
     """What the table has for a scene, by dotted key; steps go by number."""
     row = choice(scene, level)
-    crossings = EIGHTHS if scene.braid is None else sum(scene.braid.strands_per_direction)
+    most = int(scene.rope.pitch / (APART * scene.yarn.radius * row.degree))
     found = {
         "yarn.degree": row.degree,
-        "yarn.elements_per_pitch": max(4, math.ceil(row.elements * crossings - 1e-9)),
+        "yarn.elements_per_pitch": max(4, min(most, elements_of(scene, row))),
         "contact.station_spacing": row.station_spacing,
         "contact.penetration_tolerance": row.penetration,
     }
     return found | dict(_of_steps(scene, row.step))
+
+
+def elements_of(scene: Scene, row: Choice) -> int:
+    """Elements per pitch that a row asks for."""
+    crossings = EIGHTHS if scene.braid is None else sum(scene.braid.strands_per_direction)
+    return math.ceil(row.elements * crossings - 1e-9)
 
 
 def _of_steps(scene: Scene, step: float) -> Iterator[tuple[str, Any]]:
@@ -106,13 +115,14 @@ def _of_steps(scene: Scene, step: float) -> Iterator[tuple[str, Any]]:
             yield f"steps.{i}.increments", max(2, math.ceil(way - 1e-9))
 
 
-def attainable(wanted: dict[str, Any], elements: int, degree: int) -> dict[str, Any]:
-    """Options without the penetration where the scene states coarser elements than the table has.
+def attainable(scene: Scene, elements: int, degree: int) -> dict[str, Any]:
+    """What the table has but for the penetration where elements are coarser than the table's.
 
     Chords of coarse elements cannot be kept apart to less than they are off their curves, and no equilibrium is found.
     """
-    row = wanted["yarn.elements_per_pitch"] * wanted["yarn.degree"]
-    left_out = {"contact.penetration_tolerance"} if elements * degree < row else set()
+    wanted, row = options(scene, scene.solver.accuracy), choice(scene, scene.solver.accuracy)
+    coarse = elements * degree < elements_of(scene, row) * row.degree
+    left_out = {"contact.penetration_tolerance"} if coarse else set()
     return {name: value for name, value in wanted.items() if name not in left_out}
 
 
@@ -126,7 +136,7 @@ def completed(scene: Scene, data: dict[str, Any]) -> dict[str, Any]:
     tables = {name: _copy(table) for name, table in data.items()}
     wanted, yarn = options(scene, scene.solver.accuracy), data["yarn"]
     own = [yarn.get(name, wanted[f"yarn.{name}"]) for name in ("elements_per_pitch", "degree")]
-    for name, value in attainable(wanted, *own).items():
+    for name, value in attainable(scene, *own).items():
         *path, last = name.split(".")
         table: Any = tables.setdefault(path[0], {})
         if len(path) == 2:
@@ -165,11 +175,10 @@ def followed(scene: Scene) -> Followed | None:
         return None
     chosen: dict[str, Any] = {}
     stated: dict[str, Any] = {}
-    table_has = options(scene, level)
-    fitting = attainable(table_has, scene.yarn.elements_per_pitch, scene.yarn.degree)
-    for name, wanted in fitting.items():
+    wanted = attainable(scene, scene.yarn.elements_per_pitch, scene.yarn.degree)
+    for name, option in wanted.items():
         *path, last = name.split(".")
         table = getattr(scene, path[0])
         value = getattr(table[int(path[1])] if len(path) == 2 else table, last)
-        (chosen if value == wanted else stated)[name] = value
+        (chosen if value == option else stated)[name] = value
     return Followed(level, chosen, stated, choice(scene, level).reached)

@@ -9,7 +9,7 @@ from typing import Any
 
 from bench import Bench, Outcome, Sweep, error, front, key
 
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from braidx.output.figures.style import figure, panels, save, styled
 
@@ -29,6 +29,7 @@ ROWS = (  # what is varied, the costs it is drawn over
     ("all else", False, ("seconds", "iterations")),
 )
 WORST, LEAST_SPAN = 3.0, 30.0  # error at the upper edge, at most; upper over lower edge, at least
+MANY_DECADES = 500.0  # span of an axis beyond which powers of ten alone are labelled
 ROOM = (0.12, 0.04)  # of a name, as a share of the panel
 Named = tuple[float, float, str, str]
 
@@ -39,7 +40,8 @@ def draw(bench: Bench, outcomes: Mapping[str, Outcome], path: Path) -> Path:
     page = figure(10.0, 8.2)
     page.suptitle(bench.title, x=0.01, ha="left", fontsize=11)
     for part, (title, mesh, costs) in zip(page.subfigures(2, 1), ROWS):
-        sweeps = [(s, *look) for s, look in zip(bench.sweeps, LOOKS) if s.is_mesh == mesh]
+        chosen = [sweep for sweep in bench.sweeps if sweep.is_mesh == mesh]
+        sweeps = [(sweep, *look) for sweep, look in zip(chosen, LOOKS)]
         axes = panels(part, 1, 2, sharey=True)
         named = [_panel(each, bench, outcomes, cost, sweeps) for each, cost in zip(axes, costs)]
         axes[0].set(ylabel="error (%)", title=title)
@@ -47,6 +49,7 @@ def draw(bench: Bench, outcomes: Mapping[str, Outcome], path: Path) -> Path:
         high = min(high, 100.0 * WORST)
         axes[0].set_ylim(min(low, high / LEAST_SPAN), high)
         for each, names in zip(axes, named):
+            _label(each)
             _name(each, names)
         handles, labels = axes[0].get_legend_handles_labels()
         part.legend(handles, labels, loc="outside right upper", fontsize=8)
@@ -80,10 +83,17 @@ def _panel(
     axes.plot(*star, "*", ms=15, color=STAR, mec="white", zorder=5, label="default")
     axes.set(xscale="log", yscale="log", xlabel=COSTS[cost])
     axes.grid(True, which="both", alpha=0.5)
+    return [(*star, "default", STAR), *named]
+
+
+def _label(axes: Axes) -> None:
+    """Ticks where they can be read: 1, 2, 5 and tens of them, or powers of ten."""
     for axis in (axes.xaxis, axes.yaxis):
+        low, high = axis.get_view_interval()
+        few = high / low > MANY_DECADES
+        axis.set_major_locator(LogLocator(subs=(1.0,) if few else (1.0, 2.0, 5.0)))
         axis.set_major_formatter(lambda value, _: f"{value:g}")
         axis.set_minor_formatter(NullFormatter())
-    return [(*star, "default", STAR), *named]
 
 
 def _name(axes: Axes, named: Sequence[Named]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -21,7 +22,8 @@ class Lookup:
         outcome = self.outcomes.get(key(options))
         if outcome is None or outcome.failure:
             return MISSING
-        return f"{100 * error(self.bench, outcome, self.outcomes):.2g} %"
+        missed = error(self.bench, outcome, self.outcomes)
+        return f"{100 * missed:.2g} %" if math.isfinite(missed) else MISSING
 
     def of(self, result: str, **options: Any) -> str:
         """The error of one result, in per cent."""

@@ -12,7 +12,7 @@ import remarks
 from bench import Bench, Options, Outcome, error, errors, front, key, load
 from charts import costs_and_errors, draw
 from lookup import Lookup
-from rope_remarks import bent, models, pulled
+from rope_remarks import bent, models, pulled, reasons, twelve
 from rows import table
 from scenes import BENCHES
 
@@ -38,6 +38,7 @@ REMARKS = {
     "strand": remarks.strand,
     "bar": remarks.bar,
     "pulled": pulled,
+    "twelve": twelve,
     "bent": bent,
 }
 DOCS = Path(__file__).parents[3] / "docs"
@@ -161,6 +162,9 @@ def defaults() -> str:
         )
         mine = shown(error(bench, default, outcomes))
         lines.append(f"| {bench.title} | {mine} | {default.seconds:.2f} | {told or 'none: near'} |")
+    if len(complete()) == len(BENCHES):
+        for paragraph in reasons():
+            lines += ["", wrapped(paragraph)]
     return "\n".join([*lines, ""])
 
 

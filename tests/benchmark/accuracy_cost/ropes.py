@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).parents[3]
-sys.path.append(str(ROOT / "tests" / "python" / "processes"))
+sys.path += [str(ROOT / "tests" / "python" / "processes"), str(ROOT / "tests" / "benchmark")]
 
 from bench import Values  # noqa: E402
+from scaling import scene_of  # noqa: E402
 import numpy as np  # noqa: E402
 from tiny_bent_rope import TINY  # noqa: E402
 
@@ -29,6 +30,11 @@ TRAVEL, BENT_RADIUS = 3.0, 0.6  # of the ends and of the yarns of the rope that 
 def pulled(**options: Any) -> Values:
     """The braid of eight yarns of demos/small_rope.toml, formed and pulled."""
     return results(load_scene(PULLED, [*QUIET, PER_PITCH, *words(options)]))
+
+
+def twelve(**options: Any) -> Values:
+    """Paper 1's rope with single yarns for its strands, twelve of them, one pitch."""
+    return results(scene_of(12, 1, [*QUIET, PER_PITCH, *words(options)]))
 
 
 def bent(**options: Any) -> Values:

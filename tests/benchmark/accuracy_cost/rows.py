@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from bench import Bench, Outcome, error, load
 from ropes import BENT_RADIUS, TRAVEL
@@ -13,77 +13,106 @@ from scenes import BENCHES, BENDING, CUTS, DEGREE, DEPTH, ELEMENTS, STEP
 from braidx.scene.accuracy import BENT, LEVELS, PULLED, Choice, fraction
 
 OPTIONS = {BENDING, CUTS, DEGREE, DEPTH, ELEMENTS, STEP}
-CROSSINGS = {"pulled": 8, "bent": 4}  # of a yarn per pitch
+ROUND_OFF = 1e-9
+CROSSINGS = {"pulled": 8, "twelve": 12, "bent": 4}  # of a yarn per pitch
+MOST_NODES = {
+    "pulled": 167,
+    "twelve": 652,
+    "bent": 113,
+}  # per pitch: a quarter of the yarn's radius apart
+ROPES = {"pulled": ("pulled", "twelve"), "bent": ("bent",)}  # that rows are derived from
 KINDS = {"pulled": "pulled", "bent": "bent over a sheave"}
 SAYS = """\
-The cheapest of the runs above that reach the level, provided that all runs as fine in every respect do, too;
-`--accuracy` takes these rows for what a scene leaves open. Where no run reaches the level the row is the most exact one,
-and the error says so. Penetrations below the default are only taken with elements as fine as the row's: coarser ones
-cannot be kept apart so well."""
+The cheapest options, by unknowns times iterations, that reach the level in all runs above which are as fine in every
+respect, so that none is there by luck; the error is the largest of those runs (of both ropes that are pulled). Runs
+with nodes closer than a quarter of the yarn's radius are left aside. Where no options reach the level the row is the
+one with the smallest such error, and is marked. `--accuracy` takes these rows for what a scene leaves open, but no more
+elements than leave a third of a radius between nodes, and penetrations below the default only with elements as fine as
+the row's: coarser ones cannot be kept apart so well. Of a strand an eighth of a lay stands for the way from crossing to
+crossing. Errors are those of stiffness and diameter, or of the force on an end: friction work, and sliding as small as
+in the braid above, are less exact."""
 TABLES: Mapping[str, Mapping[str, Choice]] = {"pulled": PULLED, "bent": BENT}
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """A run that might be a row of the table."""
+    """Options that might be a row of the table.
 
-    outcome: Outcome
+    Attributes:
+        choice: With the largest error of all ropes of the kind.
+        work: Unknowns times iterations, of all of them: a cost that does not depend on the machine.
+    """
+
     choice: Choice
+    work: float
 
     def is_as_fine_as(self, other: Candidate) -> bool:
         """In every respect."""
         mine, its = self.choice, other.choice
         return (
             mine.degree >= its.degree
-            and mine.elements >= its.elements
+            and mine.elements >= its.elements - ROUND_OFF
             and mine.station_spacing <= its.station_spacing
             and mine.penetration <= its.penetration
-            and mine.step <= its.step
+            and mine.step <= its.step + ROUND_OFF
         )
 
 
-def candidates(bench: Bench) -> list[Candidate]:
-    """Runs of a rope that differ in what the table has, and did not fail."""
-    outcomes = load(bench.name)
-    found = [o for o in outcomes.values() if set(o.options) <= OPTIONS and not o.failure]
+def candidates(kind: str) -> list[Candidate]:
+    """Options that all ropes of a kind were computed with."""
+    ropes = [runs(bench) for bench in BENCHES if bench.name in ROPES[kind]]
+    found = []
+    for options in ropes[0]:
+        pairs = [rope[options] for rope in ropes if options in rope]
+        if len(pairs) == len(ropes):
+            works, found_errors = zip(*pairs)
+            found.append(Candidate(Choice(*options, max(found_errors)), sum(works)))
+    return found
+
+
+def runs(bench: Bench) -> dict[tuple[float, ...], tuple[float, float]]:
+    """Work and error of the runs that differ in what the table has and did not fail, by its options."""
+    outcomes, found = load(bench.name), {}
     reference = bench.reference() if bench.reference is not None else {}
-    return [Candidate(o, _choice(bench, o, outcomes)) for o in found if o.options != reference]
+    for outcome in outcomes.values():
+        options = outcome.options
+        nodes = options.get(DEGREE, 1) * options.get(ELEMENTS, 40)
+        compared = set(options) <= OPTIONS and options != reference
+        if compared and nodes <= MOST_NODES[bench.name] and not outcome.failure:
+            work = float(outcome.unknowns * outcome.iterations)
+            missed = error(bench, outcome, outcomes)
+            if math.isfinite(missed):
+                found[_row(bench, outcome)] = work, missed
+    return found
 
 
-def _choice(bench: Bench, outcome: Outcome, outcomes: Mapping[str, Outcome]) -> Choice:
+def _row(bench: Bench, outcome: Outcome) -> tuple[float, ...]:
+    """Options as the table has them, in the order of Choice."""
     options = outcome.options
     step = options.get(STEP, 1e-3)
     if bench.name == "bent":
-        step = TRAVEL / options.get(BENDING, 30) / BENT_RADIUS
-    return Choice(
+        step = round(TRAVEL / options.get(BENDING, 30) / BENT_RADIUS, 3)
+    return (
         options.get(DEGREE, 1),
         options.get(ELEMENTS, 40) / CROSSINGS[bench.name],
         options.get(CUTS, 0.25),
         options.get(DEPTH, 0.015),
         step,
-        error(bench, outcome, outcomes),
     )
 
 
-def derived(name: str) -> dict[str, Choice]:
-    """The cheapest candidate per level that reaches it, as do all that are as fine in every respect.
-
-    Where none does it is the one with the smallest error.
-    """
-    (bench,) = (bench for bench in BENCHES if bench.name == name)
-    return {level: cheapest(candidates(bench), fraction(level)).choice for level in LEVELS}
-
-
-def cheapest(found: list[Candidate], limit: float) -> Candidate:
-    """See `derived`."""
-    sure = [
-        each
-        for each in found
-        if all(o.choice.reached <= limit for o in found if o.is_as_fine_as(each))
-    ]
-    if sure:
-        return min(sure, key=lambda each: each.outcome.seconds)
-    return min(found, key=lambda each: each.choice.reached)
+def derived(kind: str) -> dict[str, Choice]:
+    """A row for each level, see SAYS; its error is the largest of all runs that are as fine in every respect."""
+    found = candidates(kind)
+    bounds = [max(o.choice.reached for o in found if o.is_as_fine_as(each)) for each in found]
+    rows = {}
+    for level in LEVELS:
+        sure = [i for i in range(len(found)) if bounds[i] <= fraction(level)]
+        best = min(sure, key=lambda i: found[i].work, default=None)
+        if best is None:
+            best = min(range(len(found)), key=lambda i: bounds[i])
+        rows[level] = replace(found[best].choice, reached=bounds[best])
+    return rows
 
 
 def table() -> str:
@@ -93,7 +122,7 @@ def table() -> str:
         SAYS,
         "",
         "| rope | for | degree | elements from crossing to crossing | station spacing (elements) | "
-        "penetration (radius) | increment | error measured (%) |",
+        "penetration (radius) | increment | error at most (%) |",
         "| --- | --- | ---: | ---: | ---: | ---: | --- | ---: |",
     ]
     for name, kind in KINDS.items():

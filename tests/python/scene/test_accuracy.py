@@ -76,7 +76,7 @@ def test_other_accuracies_are_refused_with_the_levels(text):
 @pytest.mark.parametrize("level", LEVELS)
 def test_what_a_scene_leaves_open_is_chosen(level):
     scene, row = scene_of(ROPE, level), PULLED[level]
-    assert scene.yarn.elements_per_pitch >= 8 * row.elements > scene.yarn.elements_per_pitch - 1
+    assert scene.yarn.elements_per_pitch == 8 * row.elements
     assert scene.yarn.degree == row.degree
     assert scene.contact.station_spacing == row.station_spacing
     assert scene.contact.penetration_tolerance == row.penetration
@@ -107,7 +107,7 @@ def test_coarse_elements_keep_the_penetration_that_they_can_be_kept_apart_to():
     assert scene.yarn.elements_per_pitch == 36 < 12 * BENT["1%"].elements
     assert scene.contact.penetration_tolerance == 0.015 > BENT["1%"].penetration
     assert "contact.penetration_tolerance" not in followed(scene).chosen
-    finer = ["solver.accuracy=1%", "yarn.elements_per_pitch=200"]
+    finer = ["solver.accuracy=1%", "yarn.elements_per_pitch=120"]
     scene = load_scene(DEMOS / "bending_over_sheave.toml", finer)
     assert scene.contact.penetration_tolerance == BENT["1%"].penetration
 
@@ -127,6 +127,14 @@ def test_bent_ropes_have_a_row_of_their_own():
     assert scene.contact.penetration_tolerance == row.penetration
     for step in scene.steps[1:]:
         assert 8.0 / step.increments / 0.86 <= row.step * (1 + 1e-9)
+
+
+def test_nodes_stay_a_third_of_a_radius_apart():
+    """Fewer elements than the table has cannot be kept apart as well: the penetration stays the default."""
+    thick = ROPE.replace("radius = 0.86", "radius = 3.0").replace("= 2.0", "= 9.0")
+    scene = scene_of(thick, "0.1%")
+    assert scene.yarn.elements_per_pitch == 36 < 8 * PULLED["0.1%"].elements
+    assert "contact.penetration_tolerance" not in followed(scene).chosen
 
 
 def test_a_strand_is_divided_by_its_lay():
