@@ -61,11 +61,11 @@ FAMILY = Family(
     logarithmic=(False, False),
     labels=("solve", "run"),
     means=(
-        "`solve` stops with a message where the rod snaps to a loop; `run` goes on, with increments cut a hundred "
-        "times at four turns. Where the loop first touches itself it crosses at a place that moves by more than the "
-        "distance of stations from one contact update to the next. Such places were lost once, and the rod overlapped "
-        "itself by 10 % of a diameter unseen; now they are followed, and contact that misses an overlap is looked for "
-        "again. Later an element was turned inside out, and was a hinge through which the rod lost all its turns; "
-        "such states are refused."
+        "`solve` stops with a message where the rod snaps to a loop. `run` goes on through the snap, and winds the "
+        "loop up; at four turns it stops with a message, where an element would be turned inside out. Before, it was "
+        "wrong twice. The loop crosses itself at a place that moves by more than the distance of stations from one "
+        "contact update to the next, was lost, and the rod overlapped itself by 10 % of a diameter unseen: such places "
+        "are followed now, and contact that misses an overlap is looked for again. And an element that was turned "
+        "inside out was a hinge through which the rod lost all its turns."
     ),
 )
