@@ -9,16 +9,16 @@ from collections.abc import Sequence
 
 import numpy as np
 from friction_figure import draw
-from pulled_values import FORMED, LOADED, STIFFNESS, curve_of, loaded_state
+from pulled_values import FORMED, LOADED, STIFFNESS, Curve, curve_of, loaded_state, straight_line
 from stress_spread import Spread, spread
 from study import DOCS, SMALL, SMALL_PROGRAMME, TENSILE, Case, Study, main
 from study_page import Claim, Page, column, listed, table
 from study_runs import Outcome
-from summaries import SECONDS
 
 from braidx.output.measures import linear_fit
 
 FRICTIONS = (0.003, 0.03, 0.1)
+TAUT = 20.0  # kN
 SAME = 0.05  # largest difference of stiffnesses that are called equal, over their mean
 
 
@@ -38,6 +38,18 @@ def toe(outcome: Outcome) -> float:
     """Strain from the formed rope at which the line through the linear part of the curve has no force, -."""
     curve = curve_of(outcome.folder)
     return linear_fit(curve.strain, curve.force).offset
+
+
+def held_later(curve: Curve) -> float:
+    """Largest work of the stabilisation over the elastic energy once the rope is taut, -."""
+    return float(curve.held[curve.force >= TAUT].max(initial=0.0))
+
+
+def taut_slope(outcome: Outcome) -> float:
+    """Slope of the last pull, from the state that it starts from, kN."""
+    curve = curve_of(outcome.folder)
+    first = int(np.flatnonzero(curve.step == curve.step[-1])[0]) - 1
+    return straight_line(curve.strain[first:], curve.force[first:]).slope
 
 
 def spreads(outcomes: Sequence[Outcome]) -> list[Spread]:
@@ -88,18 +100,20 @@ def numbers(outcomes: Sequence[Outcome]) -> dict[str, str | float]:
     """Of the page."""
     rows = []
     for outcome, found in zip(outcomes, spreads(outcomes), strict=True):
-        start = curve_of(outcome.folder).strain[0]
+        curve = curve_of(outcome.folder)
         rows.append(
             [
                 outcome.case.label,
-                f"{100 * start:.3f}",
+                f"{100 * curve.strain[0]:.3f}",
                 f"{100 * toe(outcome):.3f}",
                 f"{outcome.values[STIFFNESS]:.0f}",
+                f"{taut_slope(outcome):.0f}",
                 *[f"{outcome.values[name]:.2f}" for name in (FORMED, LOADED)],
                 f"{found.mean:.0f}",
                 *[f"{value:.0f}" for value in (found.deviation, found.among, found.along)],
                 f"{found.highest:.2f}",
-                f"{outcome.values[SECONDS]:.0f}",
+                f"{100 * curve.held[0]:.1f}",
+                f"{100 * held_later(curve):.2f}",
             ]
         )
     header = [
@@ -107,6 +121,7 @@ def numbers(outcomes: Sequence[Outcome]) -> dict[str, str | float]:
         "strain at rest, 0.5 kN (%)",
         "strain that the linear part starts from (%)",
         "axial stiffness (kN)",
+        "slope from 70 kN on (kN)",
         "diameter, formed (mm)",
         "at 70 kN (mm)",
         "mean stress at 70 kN (MPa)",
@@ -114,7 +129,8 @@ def numbers(outcomes: Sequence[Outcome]) -> dict[str, str | float]:
         "among yarns (MPa)",
         "along yarns (MPa)",
         "highest over mean",
-        "seconds",
+        "held at rest (%)",
+        "held from 20 kN on (%)",
     ]
     return {"table": table(header, rows)}
 

@@ -16,7 +16,7 @@ from braidx.output.figures.style import AMBER, BLUE, INK, figure, save, styled
 
 COLOURS = (AMBER, INK, BLUE)
 TOE = 12.0  # kN, of the beginning of the curve
-BINS = 41
+BINS, FEW = 41, 17  # edges of bins: of segments, and of yarns, which come in threes
 
 
 def draw(outcomes: Sequence[Outcome], folder: Path) -> None:
@@ -75,13 +75,15 @@ def _histograms(
         axes, (all_of_it, means, along), titles, shares, deviations
     ):
         labels = [f"{o.case.label}: deviation {v:.0f} MPa" for o, v in zip(outcomes, values)]
-        _histogram(ax, data, labels)
+        _histogram(ax, data, labels, FEW if data is means else BINS)
         ax.set(title=title, ylabel=share, xlabel="axial stress (MPa)")
 
 
-def _histogram(ax: Axes, data: Sequence[tuple[Array, Array]], labels: Sequence[str]) -> None:
+def _histogram(
+    ax: Axes, data: Sequence[tuple[Array, Array]], labels: Sequence[str], count: int
+) -> None:
     everything = np.concatenate([values for values, _ in data])
-    edges = histogram_edges(everything)
+    edges = histogram_edges(everything, count)
     for (values, weights), colour, label in zip(data, COLOURS, labels):
         share = 100.0 * weights / weights.sum()
         ax.hist(values, list(edges), weights=share, histtype="stepfilled", color=colour, alpha=0.12)
@@ -92,7 +94,7 @@ def _histogram(ax: Axes, data: Sequence[tuple[Array, Array]], labels: Sequence[s
     ax.legend(loc="upper left", fontsize=7.5)
 
 
-def histogram_edges(values: Array) -> Array:
-    """Edges of equal bins that hold all values, shape (BINS,)."""
+def histogram_edges(values: Array, count: int) -> Array:
+    """Edges of equal bins that hold all values, shape (count,)."""
     spread = max(float(np.ptp(values)), 1e-6)
-    return np.linspace(values.min() - 0.01 * spread, values.max() + 0.01 * spread, BINS)
+    return np.linspace(values.min() - 0.01 * spread, values.max() + 0.01 * spread, count)

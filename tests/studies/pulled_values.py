@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
@@ -48,11 +48,13 @@ class Curve:
     strain: Array  # (n,), -, from the formed rope
     force: Array  # (n,), kN
     friction_work: Array  # (n,), mJ, of the sample, since the start of the run
+    held: Array  # (n,), -, work of the stabilisation over the elastic energy
+    step: Array  # (n,), number of the step, from 1
 
     def part(self, first: int, last: int) -> Curve:
         """From one increment to another, both included."""
         kept = slice(first, last + 1)
-        return Curve(self.strain[kept], self.force[kept], self.friction_work[kept])
+        return Curve(*(getattr(self, column.name)[kept] for column in fields(self)))
 
 
 def curve_of(folder: Path) -> Curve:
@@ -60,11 +62,10 @@ def curve_of(folder: Path) -> Curve:
     columns = history.read(folder / "history.csv")
     step = np.array([str(name).split()[-1] for name in columns["step"]])
     first = int(np.flatnonzero(step == "settle")[-1])
-    strain, force, work = (
-        np.asarray(columns[name][first:], dtype=float)
-        for name in ("rope strain (-)", "force (kN)", "friction work (mJ)")
-    )
-    return Curve(strain, force, work)
+    names = ("rope strain (-)", "force (kN)", "friction work (mJ)", "stabilisation work share (-)")
+    values = [np.asarray(columns[name][first:], dtype=float) for name in names]
+    number = np.array([float(str(name).split()[0]) for name in columns["step"][first:]])
+    return Curve(*values, number)
 
 
 def state_of(folder: Path, name: str) -> Snapshot:

@@ -7,6 +7,7 @@ results/studies. Once all cases of a study have run, its page in docs/ is writte
 import functools
 
 import bedding_in
+import friction_coefficient
 import numpy as np
 import pitch_length
 import pytest
@@ -17,7 +18,10 @@ from study_page import column
 from study_runs import run_study
 
 # Statements that were found not to hold; the pages say why.
-MISSED = {pitch_length: {"linear", "in proportion"}}
+MISSED = {
+    pitch_length: {"linear", "in proportion"},
+    friction_coefficient: {"same stiffness", "more scatter"},
+}
 SCRIPTS = tuple(MISSED)
 
 
@@ -41,7 +45,10 @@ def test_every_case_is_an_equilibrium_with_its_motif(script):
     outcomes = outcomes_of(script)
     assert max(column(outcomes, WRONG_SIDE)) == 0
     assert max(column(outcomes, PENETRATION)) <= 0.02
-    assert max(column(outcomes, HELD)) <= 0.01
+    if (
+        script is not friction_coefficient
+    ):  # a rope of little friction is slack at 0.5 kN, and held: its page says by what
+        assert max(column(outcomes, HELD)) <= 0.01
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=named)

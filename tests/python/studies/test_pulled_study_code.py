@@ -11,7 +11,7 @@ import pytest
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "studies"))
 
-from friction_figure import BINS, histogram_edges  # noqa: E402
+from friction_figure import histogram_edges  # noqa: E402
 from load_cycles import load_cycles  # noqa: E402
 from pulled_values import Curve, straight_line  # noqa: E402
 from rope_shape import efficiency_of_directions, helix_angle, strand_radius  # noqa: E402
@@ -75,8 +75,8 @@ def test_spread_of_stress_is_that_among_yarns_and_along_them():
 
 def test_edges_hold_all_values():
     values = np.array([3.0, 7.0, 11.0])
-    edges = histogram_edges(values)
-    assert len(edges) == BINS and edges[0] < 3.0 and edges[-1] > 11.0
+    edges = histogram_edges(values, 9)
+    assert len(edges) == 9 and edges[0] < 3.0 and edges[-1] > 11.0
     assert np.histogram(values, edges)[0].sum() == 3
 
 
@@ -85,7 +85,7 @@ def test_cycles_of_a_curve():
     strain = np.concatenate([[0.0, 0.1, 0.2], [0.1, 0.05], [0.1, 0.2], [0.12, 0.07], [0.3]])
     force = np.concatenate([[1.0, 11.0, 21.0], [9.0, 1.0], [9.0, 21.0], [11.0, 1.0], [31.0]])
     work = np.concatenate([[0.0, 1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 7.5], [9.0]])
-    first, second = load_cycles(Curve(strain, force, work))
+    first, second = load_cycles(Curve(strain, force, work, 0.0 * work, 0.0 * work))
     pulled = 0.1 * (6.0 + 16.0)
     released = 0.1 * 15.0 + 0.05 * 5.0
     assert first.pulled == pytest.approx(1e3 * pulled)
@@ -94,7 +94,7 @@ def test_cycles_of_a_curve():
     assert (first.residual_strain, second.residual_strain) == pytest.approx((0.05, 0.07))
     assert first.linearity == pytest.approx(1.0) and second.linearity < 1.0
     with pytest.raises(ValueError, match="never released"):
-        load_cycles(Curve(strain[:3], force[:3], work[:3]))
+        load_cycles(Curve(*[values[:3] for values in (strain, force, work, work, work)]))
 
 
 def outcomes_of(values):
