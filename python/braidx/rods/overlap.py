@@ -24,11 +24,12 @@ def hidden_overlap(contact: Contact, q: Floats) -> tuple[float, int, int]:
         q: The equilibrium, shape (num_unknowns,).
     """
     known = _depths(contact, q, contact.elements)
-    contact.pairing.keep_points = False
+    contact.pairing.within_increment = False
     fresh = engine.make_contact_elements(
         contact.surfaces,
         contact.crossings,
         contact.rigid,
+        q,
         q,
         engine.ContactElements(),
         contact.pairing,
