@@ -30,23 +30,18 @@ from braidx.solver.increment import Increment
 
 Floats = npt.NDArray[np.float64]
 
-RADIUS, KING = (
-    1.0,
-    1.08,
-)  # of wires and of the king wire, which keeps the first layer from jamming, mm
-LENGTH, LAY = (
-    60.0,
-    60.0,
-)  # of the strand; pitch of the first layer, that of layer k being k times as long, mm
-ELEMENTS = 8  # of degree 2, per wire
+RADIUS, KING = 1.0, 1.08  # of wires; of the king wire, so that the first layer does not jam, mm
+LENGTH, LAY = 60.0, 60.0  # of the strand; pitch of layer k over k, mm
+ELEMENTS = (8, 8, 6)  # of degree 2, of the king wire and of wires of layers 1 and 2
+FEWER = 4  # of wires of other layers, which turn less along the strand
 MODULUS, POISSON, FRICTION = 200e3, 0.3, 0.15  # MPa
 TENSION = 200.0  # of each wire, N
 ANGLE = 0.5  # radians
-# Contact sets in gradually, as that of round steel wires does: 20 N/mm press them 4 micrometres into each other, and
+# Contact sets in gradually, as that of round steel wires does: 20 N/mm press them 4.5 micrometres into each other, and
 # layers are placed so that this is about where they begin.
 PENALTY, REGULARISATION, FIT = 0.1 * MODULUS, 1e-2, 5e-3  # N/mm per mm, mm, mm
-STICKING = (0.0005, 0.002, 0.01)  # radians: first angles, to see wires begin to slip
-STEP = 0.1  # of the others
+STICKING = (0.001, 0.01)  # radians: first angles, to see wires begin to slip
+STEP = 0.17  # of the others
 AREA, INERTIA = np.pi * RADIUS**2, np.pi * RADIUS**4 / 4.0
 
 
@@ -101,11 +96,12 @@ class Strand:
     angle: float = 0.0
 
     def __post_init__(self) -> None:
-        steel, spans = YarnMaterial.isotropic(MODULUS, POISSON), 2 * ELEMENTS
-        parts = [Beam(straight((0, 0, 0), (0, 0, LENGTH), spans), KING, steel)]
+        steel = YarnMaterial.isotropic(MODULUS, POISSON)
+        parts = [Beam(straight((0, 0, 0), (0, 0, LENGTH), 2 * ELEMENTS[0]), KING, steel)]
         pulls = [np.array([0.0, 0.0, -TENSION])]
         for layer in range(1, num_layers(self.wires) + 1):
             radius, pitch = layer_radius(layer), (-1) ** (layer + 1) * LAY * layer
+            spans = 2 * (ELEMENTS[layer] if layer < len(ELEMENTS) else FEWER)
             for phase in np.linspace(0.0, 2.0 * np.pi, 6 * layer, endpoint=False):
                 parts.append(Beam(helix(radius, pitch, LENGTH, spans, phase), RADIUS, steel))
                 slope = 2.0 * np.pi * radius / pitch
