@@ -51,8 +51,13 @@ def pull(model: RopeModel, state: State, step: Pull) -> Iterator[Outcome]:
 
 
 def cycle(model: RopeModel, state: State, step: Cycle) -> Iterator[Outcome]:
-    """Pulls to force_max and releases to force_min, time after time."""
+    """Pulls to force_max and releases to force_min, time after time.
+
+    Penalties that grow with the force do work on the rope. Here they fall with it as well, and take that work back:
+    what a cycle costs is then friction.
+    """
     puller = Puller(model, state)
+    puller.eases = True
     turns = 2 * step.cycles
     for turn in range(int(state.progress.get("turn", 0)), turns):
         target = step.force_min if turn % 2 else step.force_max

@@ -20,6 +20,7 @@ FULL = (
 )
 SLACK = 1e-6  # mean strain below which yarns are slack
 HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave
+EASED = 0.1  # least share of themselves that penalties fall to in an increment
 LEAST = 0.01  # share of it that is left where yarns are slack
 BENT = 1e-3  # of a yarn radius: distance from rigid that is left to a group of ends
 TURNS = 8  # repetitions of an increment in which bodies turn on
@@ -34,6 +35,7 @@ class Puller:
         share: What is reached of what groups of ends ask for, 0 to 1.
         calming: Factor on the stabilisation that the scene asks for.
         releases: Whether the stabilisation lets go of states found.
+        eases: Whether penalties fall with the tension of yarns, too, and do not only rise with it.
     """
 
     def __init__(self, model: RopeModel, state: State) -> None:
@@ -42,9 +44,10 @@ class Puller:
         self.share = state.progress.get("share", 0.0)
         self.calming = state.progress.get("calming", 1.0)
         self.releases = True
-        # Mean tension of the yarns that penalties are made for: they grow with what is expected of increments.
-        self._most = state.progress.get("tension", 0.0) or self._mean_tension(state.q)
-        self._expected = self._most
+        self.eases = False
+        # Mean tension of the yarns that penalties are made for: they go with what is expected of increments.
+        self._made_for = state.progress.get("tension", 0.0) or self._mean_tension(state.q)
+        self._expected = self._made_for
         scene = model.scene
         penetration = scene.contact.penetration_tolerance * model.rope.radius.min()
         self._options = IncrementOptions(penetration=penetration)
@@ -121,9 +124,10 @@ class Puller:
         if isinstance(ends, GroupedEnds):
             model.loads.loads = ends.loads(placed, share)
         first = system.expand(system.free_values(placed))
-        self._expected = self._mean_tension(first)
-        slack = self._most < SLACK * model.scene.yarn.axial_stiffness
-        stiffening = 1.0 if slack else max(1.0, self._expected / self._most)
+        least = EASED if self.eases else 1.0
+        self._expected = max(self._mean_tension(first), least * self._made_for)
+        slack = self._made_for < SLACK * model.scene.yarn.axial_stiffness
+        stiffening = 1.0 if slack else self._expected / self._made_for
         most = HELD * model.internal_energy(first) if self.releases else None
         options = replace(self._options, stabilisation=most)
         return model.incrementer.solve(self.state.q, first, options, stiffening)
@@ -147,10 +151,10 @@ class Puller:
 
     def _take(self, increment: Increment, strain: float, share: float) -> None:
         self.strain, self.share = strain, share
-        self._most = max(self._most, self._expected)
-        if self._most < SLACK * self.model.scene.yarn.axial_stiffness:
+        self._made_for = self._expected
+        if self._made_for < SLACK * self.model.scene.yarn.axial_stiffness:
             # Nothing was expected of slack yarns: penalties became what was found to do.
-            self._most = max(self._most, self._mean_tension(increment.q))
+            self._made_for = max(self._made_for, self._mean_tension(increment.q))
         self.state = replace(
             self.state,
             q=increment.q,
@@ -159,7 +163,7 @@ class Puller:
                 **self.state.progress,
                 "strain": strain,
                 "share": share,
-                "tension": self._most,
+                "tension": self._made_for,
             },
             stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
             friction_work=self.state.friction_work + increment.friction_work,
