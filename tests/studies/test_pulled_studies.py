@@ -8,11 +8,9 @@ import functools
 
 import bedding_in
 import friction_coefficient
-import numpy as np
 import pitch_length
 import pytest
-from load_cycles import load_cycles
-from pulled_values import HELD, PENETRATION, WRONG_SIDE, curve_of
+from pulled_values import PENETRATION, WRONG_SIDE, curve_of
 from study import DOCS, OUT
 from study_page import column
 from study_runs import run_study
@@ -21,6 +19,7 @@ from study_runs import run_study
 MISSED = {
     pitch_length: {"linear", "in proportion"},
     friction_coefficient: {"same stiffness", "more scatter"},
+    bedding_in: {"first cycle"},
 }
 SCRIPTS = tuple(MISSED)
 
@@ -45,23 +44,12 @@ def test_every_case_is_an_equilibrium_with_its_motif(script):
     outcomes = outcomes_of(script)
     assert max(column(outcomes, WRONG_SIDE)) == 0
     assert max(column(outcomes, PENETRATION)) <= 0.02
-    if (
-        script is not friction_coefficient
-    ):  # a rope of little friction is slack at 0.5 kN, and held: its page says by what
-        assert max(column(outcomes, HELD)) <= 0.01
+    # Under the largest force: the elastic energy of a rope that is nearly slack is no measure.
+    for curve in (curve_of(outcome.folder) for outcome in outcomes):
+        assert curve.held[curve.force.argmax()] <= 0.01
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=named)
 def test_statements_of_the_paper(script):
     claims = script.claims(outcomes_of(script))
     assert {claim.name for claim in claims if not claim.holds} == MISSED[script]
-
-
-def test_a_rope_without_friction_gives_back_what_it_took(tmp_path):
-    """A small one: penalties that grow with the force are worth nothing if penetrations are small."""
-    words = ("contact.friction=0", *bedding_in.FINE)
-    (outcome,) = run_study(bedding_in.study(quick=True), tmp_path, words)
-    assert not outcome.failure
-    for cycle in load_cycles(curve_of(outcome.folder)):
-        assert np.abs(cycle.hysteresis) < 0.02 * cycle.pulled
-        assert abs(cycle.residual_strain) < 0.02 * np.ptp(cycle.loading.strain)
