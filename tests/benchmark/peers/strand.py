@@ -203,10 +203,9 @@ def draw(outcomes: list[Outcome], path: Path) -> None:
     """Moments over angles, a panel for each strand."""
     figure = Figure(figsize=(3.2 * len(outcomes), 3.4), layout="constrained")
     for axes, o in zip(np.ravel(figure.subplots(1, len(outcomes))), outcomes, strict=True):
-        bent = o.angles <= ANGLE
-        axes.plot(
-            o.angles[bent], o.slipping[bent] / 1e3, "k--", lw=1.0, label="all wires slip freely"
-        )
+        end = int(np.argmax(o.angles))
+        slip = [0.0, o.slipping[end] / 1e3]
+        axes.plot([0.0, o.angles[end]], slip, "k--", lw=1.0, label="all wires slip freely")
         top = 1.15 * float(o.moments.max())
         reach = top / (o.sticking / np.where(o.angles, o.angles, 1.0)).max()
         axes.plot([0.0, reach], [0.0, top / 1e3], "k:", lw=1.0, label="all wires stick")
