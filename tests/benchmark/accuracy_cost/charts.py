@@ -37,9 +37,12 @@ Named = tuple[float, float, str, str]
 @styled
 def draw(bench: Bench, outcomes: Mapping[str, Outcome], path: Path) -> Path:
     """Error against cost: models and meshes, then all else; the Pareto front of each, the default as a star."""
-    page = figure(10.0, 8.2)
+    rows = [row for row in ROWS if any(sweep.is_mesh == row[1] for sweep in bench.sweeps)]
+    page = figure(10.0, 4.1 * len(rows))
     page.suptitle(bench.title, x=0.01, ha="left", fontsize=11)
-    for part, (title, mesh, costs) in zip(page.subfigures(2, 1), ROWS):
+    for part, (title, mesh, costs) in zip(
+        page.subfigures(len(rows), 1, squeeze=False).ravel(), rows
+    ):
         chosen = [sweep for sweep in bench.sweeps if sweep.is_mesh == mesh]
         sweeps = [(sweep, *look) for sweep, look in zip(chosen, LOOKS)]
         axes = panels(part, 1, 2, sharey=True)

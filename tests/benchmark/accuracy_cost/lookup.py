@@ -51,4 +51,7 @@ class Lookup:
 
     def _cost(self, name: str, options: dict[str, Any]) -> str:
         outcome = self.outcomes.get(key(options))
-        return MISSING if outcome is None else f"{getattr(outcome, name):.3g}"
+        if outcome is None:
+            return MISSING
+        cost = getattr(outcome, name)
+        return f"{cost:.3g}" if isinstance(cost, float) else str(cost)
