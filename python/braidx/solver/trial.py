@@ -11,6 +11,7 @@ from .newton import NewtonResult
 
 FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
 MOST_DAMPING = 1.0  # more would hide the residual rather than remove it
+PATIENCE = 4  # damped updates in a row after which it is tried without; twice as many the next time
 CALMING = 0.5  # factor on the hold after a solve that converged
 HOLDING = 4.0  # and after one that did not
 
@@ -37,6 +38,8 @@ class Trial:
         residual, norm: With the present contact elements, relative, and in N.
         damping: Of updates that do not approach each other, over (contact force of a node / radius).
         held: Factor on the hold.
+        damped: Updates in a row that were damped.
+        patience: How many may be.
         slow: Updates in a row that did not approach each other.
         follows: Whether sections follow the yarns in the next solve.
         unfollowed: Updates with frozen sections that are left after following ones did not converge.
@@ -51,6 +54,8 @@ class Trial:
     residual: float = np.inf
     norm: float = np.inf
     damping: float = 0.0
+    damped: int = 0
+    patience: int = PATIENCE
     held: float = 0.0
     slow: int = 0
     follows: bool = False
@@ -68,9 +73,16 @@ class Trial:
         self.solves += result.linear_solves
 
     def judge(self, slow: bool) -> None:
-        """Damps updates that do not approach each other."""
+        """Damps updates that do not approach each other, and now and then does without.
+
+        What is easily moved, as a rod is that spins or a knot that turns about its line, creeps under a damping to
+        where one update would take it, and every bit of its way changes the contact elements.
+        """
         grown = min(max(2 * self.damping, FIRST_DAMPING), MOST_DAMPING)
         self.damping = grown if slow else self.damping / 2
+        self.damped = self.damped + 1 if self.damping > 0.0 else 0
+        if self.damped > self.patience:
+            self.damping, self.damped, self.patience = 0.0, 0, 2 * self.patience
         self.slow = self.slow + 1 if slow else 0
 
     def hold(self, less: bool) -> None:
