@@ -20,7 +20,8 @@ EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
 FORCING = 0.03  # an equilibrium is found to this fraction of the residual that its contact elements started with
 REACH = 0.1  # elements that sections may move before the tangent of repeated contact updates needs a new pattern
 NEW_POINTS = 1  # contact updates of an increment that may change which point stations there are
-RELEASES = 4  # times that the stabilisation may let go in one increment
+RELEASES = 4  # times that the stabilisation may let go in one increment, and
+LETTING_GO = 0.1  # share of the viscosity that is left each time
 UNFOLLOWED = 2  # updates with frozen sections after following ones did not converge
 
 
@@ -178,6 +179,7 @@ class Incrementer:
             return False
         trial.releases += 1
         self.proximal.start = trial.q
+        self.proximal.ease(LETTING_GO)
         self._measure(trial)
         # What it held may be less than what an equilibrium may leave.
         return trial.residual >= options.pairing_tolerance

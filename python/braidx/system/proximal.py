@@ -43,6 +43,12 @@ class ProximalTerm:
         if self.turning:
             self.turning.viscosity = directors
 
+    def ease(self, factor: float) -> None:
+        """Leaves a share of the viscosity, until that is set anew."""
+        self.viscosity *= factor
+        if self.turning:
+            self.turning.viscosity *= factor
+
     def set_state(self, q: Floats) -> None:
         """See Term."""
         self._q = q
