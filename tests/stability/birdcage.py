@@ -15,12 +15,14 @@ VISCOSITY = 0.01  # N/mm per node
 DENSITY, DURATION, STEPS = 8e-9, 0.1, 40  # t/mm^3, s
 
 
-def strand(viscosity: float = 0.0) -> Rods:
+def strand(viscosity: float = 0.0, bundle_factor: float = 0.1) -> Rods:
     """Three yarns that touch each other, all ends clamped."""
     length, around = PITCH * TURNS, RADIUS * 2.0 / np.sqrt(3.0) * 1.02
     material = YarnMaterial.isotropic(10e3, 0.3)
     lines = [helix(around, PITCH, length, 60, 2.0 * np.pi * i / YARNS) for i in range(YARNS)]
-    beams = [Beam(line, RADIUS, material, density=DENSITY, bundle_factor=0.1) for line in lines]
+    beams = [
+        Beam(line, RADIUS, material, density=DENSITY, bundle_factor=bundle_factor) for line in lines
+    ]
     rods = Rods(beams, friction=0.1, viscosity=viscosity)
     for yarn in range(YARNS):
         rods.clamp(yarn, [0, -1])
@@ -35,11 +37,18 @@ def outcome(push: float, way: float) -> Outcome:
         way: Solved, with a viscosity or in motion.
     """
     rods = strand(VISCOSITY if way == VISCOUS else 0.0)
+    return pulled_and_pushed(rods, (push, way), push, way == MOVING)
+
+
+def pulled_and_pushed(
+    rods: Rods, case: tuple[float, ...], push: float, moving: bool = False
+) -> Outcome:
+    """A strand is pulled by a strain, let go, and pushed by another."""
     watch = Watch(rods, conserves=False)
     for strain, increments in ((PULL, 2), (-PULL, 2), (-push, max(4, round(push / 0.0025)))):
         for yarn in range(YARNS):
             rods.move(yarn, -1, by=(0.0, 0.0, strain * PITCH * TURNS))
-        if way == MOVING:
+        if moving:
             steps = STEPS if strain == -push else 4
             done = watch.run(DURATION, DURATION / steps, scheme=Scheme.backward_euler())
         else:
@@ -49,7 +58,7 @@ def outcome(push: float, way: float) -> Outcome:
     widest = max(
         float(np.linalg.norm(rods.positions(i)[:, :2], axis=1).max()) for i in range(YARNS)
     )
-    return watch.outcome(push, way, widest=widest / RADIUS)
+    return watch.outcome(*case, widest=widest / RADIUS)
 
 
 FAMILY = Family(

@@ -11,6 +11,7 @@ def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
     from family import DONE
     from report import keep, write
 
-    keep(DONE)
+    if DONE:
+        keep(DONE)
     if all(family.name in DONE for family in FAMILIES):
         write(FAMILIES, DONE)

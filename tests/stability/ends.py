@@ -30,7 +30,8 @@ def outcome(length: float, friction: float) -> Outcome:
     if watch.solve(2):
         rods.move(1, 0, by=(TRAVEL, 0.0, 0.0))
         watch.solve(round(TRAVEL / STEP), max_cuts=3)
-    return watch.outcome(length, friction)
+    drag = float(rods.reaction(1, 0)[0][0]) / (LOAD * SHORT)
+    return watch.outcome(length, friction, drag=drag)
 
 
 FAMILY = Family(
@@ -40,7 +41,8 @@ FAMILY = Family(
     ((1.0, 2.0, 2.7, 10.0), (0.0, 0.3, 0.6)),
     outcome,
     "A beam of 30 radii lies on a clamped one of 80 radii, pressed by a line load, and is pulled along it by its rear "
-    "end, half a radius per increment, until a quarter of it is beyond the other's end.",
+    "end, half a radius per increment, until a quarter of it is beyond the other's end. The pull has to be the friction "
+    "of the whole load.",
     logarithmic=(True, False),
     means=(
         "Boundaries and ends pass, at the price of cut increments: most with elements of one or two radii, "

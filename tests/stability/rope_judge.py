@@ -6,6 +6,7 @@ distances, sides and sums of forces are worked out anew.
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -19,7 +20,7 @@ from braidx.output.contact_table import YARN_CORE, ContactTable
 from braidx.processes import state as checkpoint
 from braidx.scene import Form, Scene, Settle
 from contact_work import contact_work
-from rope_lines import deepest_overlap, half_widths, smooth, windings, wrong_sides
+from rope_lines import FINER, deepest_overlap, half_widths, smooth, windings, wrong_sides
 from yarn_energy import Yarns
 
 Floats = npt.NDArray[np.float64]
@@ -82,8 +83,11 @@ class RopeRun:
 
     @cached_property
     def formed(self) -> list[Found]:
-        """States while the rope is formed that count: the last one."""
-        return [found for found in self._states("form")][-1:]
+        """The shape that the rope was formed to; none if the run says that it was not."""
+        steps = {str(step) for step in self.rows["step"]}
+        summary = json.loads((self.folder / "summary.json").read_text("utf-8"))
+        only = all(step.endswith("form") for step in steps)
+        return [] if only and not summary["converged"] else self._states("form")[-1:]
 
     @cached_property
     def found(self) -> list[Found]:
@@ -119,12 +123,14 @@ class RopeRun:
     # What is worked out anew
 
     def overlap(self, found: Found) -> float:
-        """Deepest overlap of two yarns over their radius."""
+        """Deepest overlap of two yarns over their radius; not in the first and last elements of ends that are held."""
         radius = self.scene.yarn.radius
         pairs = [q[:, 3:].reshape(-1, 2, 3) if q.shape[1] == 9 else None for q in found.now]
         halves = [half_widths(pair, self.nodes, radius) for pair in pairs]
-        deep = deepest_overlap(found.lines, halves, self.goes_on, found.length)
-        return deep / radius
+        lines, cut = found.lines, 0 if self.goes_on else FINER
+        inner = [line[cut : len(line) - cut] for line in lines]
+        within = [half[cut : len(half) - cut] for half in halves]
+        return deepest_overlap(inner, within, self.goes_on, found.length) / radius
 
     def wrong_sides(self, found: Found) -> int:
         """Crossings of yarns whose wrong one is outside, or that are not there, where that can be told."""

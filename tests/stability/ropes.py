@@ -69,8 +69,8 @@ def judged(case: tuple[float, ...], scene: Scene, folder: Path, message: str) ->
     found = judge(scene, folder)
     wrong = [what for what, is_so in _misplaced(found, scene) if is_so]
     unbalanced = [what for what, is_so in _unbalanced(found) if is_so]
-    if TOLD in (folder / "run.log").read_text("utf-8"):
-        message = message or f"stabilised, as the run says: {found['held']:.1%} of the energy"
+    if unbalanced and TOLD in (folder / "run.log").read_text("utf-8"):
+        message = message or "as the run says, its stabilisation did too much: " + "; ".join(unbalanced)
     else:
         wrong += unbalanced
     return Outcome(
@@ -158,11 +158,9 @@ def _of_bent(scene: Scene, folder: Path) -> dict[str, float]:
     found["overlap"] = max(left.overlap(picture) for picture in pictures)
     found["wrong"] = max(left.wrong_sides(picture) for picture in pictures)
     found["force"] = left.force_error()
-    for name, column in (
-        ("penetration", "max penetration / radius (-)"),
-        ("held", "stabilisation work share (-)"),
-    ):
-        found[name] = float(rows[column][left.ways].max())
+    found["penetration"] = float(rows["max penetration / radius (-)"][left.ways].max())
+    # Of the largest energy until then: what little there is of it at first says nothing.
+    found["held"] = float(rows["stabilisation work share (-)"][left.ways][-1])
     if isinstance(scene.steps[-1], Bend) and left.found[-1].name == "bent":
         found["energy"] = left.energy_error()
     return found

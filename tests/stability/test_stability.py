@@ -104,6 +104,12 @@ def test_increments_of_a_hundred_times() -> None:
         assert outcome.values["lift over that of small increments"] == pytest.approx(1.0, abs=1e-3)
 
 
+def test_parallel_fibres_drag_by_their_coefficient_of_friction() -> None:
+    outcomes = explore(ends.FAMILY)
+    for (_, coefficient), outcome in outcomes.items():
+        assert outcome.values["drag"] == pytest.approx(coefficient, abs=0.01)
+
+
 @pytest.mark.parametrize(
     "family", [ends.FAMILY, birdcage.FAMILY, hockling.FAMILY], ids=lambda f: f.name
 )
