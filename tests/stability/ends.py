@@ -40,9 +40,9 @@ FAMILY = Family(
     ("length of elements above over the radius (below: 2)", "coefficient of friction"),
     ((1.0, 2.0, 2.7, 10.0), (0.0, 0.3, 0.6)),
     outcome,
-    "A beam of 30 radii lies on a clamped one of 80 radii, pressed by a line load, and is pulled along it by its rear "
-    "end, half a radius per increment, until a quarter of it is beyond the other's end. The pull has to be the friction "
-    "of the whole load.",
+    "A beam of 30 radii lies on a clamped one of 80 radii, pressed by a line load, and is pulled "
+    "along it by its rear end, half a radius per increment, until a quarter of it is beyond the "
+    "other's end. The pull has to be the friction of the whole load.",
     logarithmic=(True, False),
     means=(
         "Boundaries and ends pass, at the price of cut increments: most with elements of one or two radii, "

@@ -70,7 +70,9 @@ def judged(case: tuple[float, ...], scene: Scene, folder: Path, message: str) ->
     wrong = [what for what, is_so in _misplaced(found, scene) if is_so]
     unbalanced = [what for what, is_so in _unbalanced(found) if is_so]
     if unbalanced and TOLD in (folder / "run.log").read_text("utf-8"):
-        message = message or "as the run says, its stabilisation did too much: " + "; ".join(unbalanced)
+        message = message or "as the run says, its stabilisation did too much: " + "; ".join(
+            unbalanced
+        )
     else:
         wrong += unbalanced
     return Outcome(

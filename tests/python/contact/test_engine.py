@@ -196,7 +196,7 @@ def segment_samples(curve: Floats) -> Floats:
     return curve[:-1, None] * (1 - t) + curve[1:, None] * t
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(
     seed=st.integers(0, 10_000),
     count=st.integers(1, 4),

@@ -29,7 +29,7 @@ def test_the_rope_of_paper_1(degree):
             assert np.allclose(line, rope.strand_lines[yarn // 7])
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.floats(0.0, 20.0), st.sampled_from([-1, 1]), st.floats(0.1, 2.0), st.integers(-5, 5))
 def test_a_yarn_keeps_its_distance_from_the_strand(radius, sense, distance, turns):
     helix = StrandHelix(radius, 132.0, sense, 0.3)

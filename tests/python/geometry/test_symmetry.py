@@ -29,7 +29,7 @@ def test_yarns_are_images_of_their_leaders(name, fold):
         assert np.allclose(turned, line, atol=1e-9)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.lists(st.sampled_from([-1, 1]), min_size=16, max_size=16))
 def test_the_fold_is_that_of_the_motif(entries):
     """Turning by n of 4 strands shifts rows and columns of the motif by n."""
