@@ -32,9 +32,14 @@ class Split(NamedTuple):
     volume: Any  # of the section's change of area beyond its free contraction
 
 
-def green_lagrange(gradient: Any) -> Any:
-    """Green-Lagrange strain E of a deformation gradient, shape (3, 3)."""
-    return 0.5 * (gradient.T * gradient - ufl.Identity(3))
+def green_lagrange(gradient: Any, step: Any = None) -> Any:
+    """Green-Lagrange strain E of a deformation gradient, shape (3, 3).
+
+    With the gradient of the last step of Newton's method it is the strain that this step foresaw, which lacks the
+    square of the step (bodies.assembled).
+    """
+    strain = 0.5 * (gradient.T * gradient - ufl.Identity(3))
+    return strain if step is None else strain - 0.5 * step.T * step
 
 
 def _lame(law: Isotropic) -> tuple[Any, Any]:
@@ -43,10 +48,9 @@ def _lame(law: Isotropic) -> tuple[Any, Any]:
     return shear, law.modulus / (3.0 * (1.0 - 2.0 * law.poisson))
 
 
-def saint_venant_kirchhoff(gradient: Any, law: Isotropic) -> Split:
+def saint_venant_kirchhoff(strain: Any, law: Isotropic) -> Split:
     """Quadratic in E: mu dev E : dev E + K / 2 (tr E)^2."""
     shear, bulk = _lame(law)
-    strain = green_lagrange(gradient)
     shape = ufl.dev(strain)
     return Split(None, None, shear * ufl.inner(shape, shape), 0.5 * bulk * ufl.tr(strain) ** 2)
 
@@ -60,7 +64,7 @@ def neo_hooke(gradient: Any, law: Isotropic) -> Split:
 
 
 def transversely_isotropic(
-    gradient: Any, fibre: Any, law: TransverselyIsotropic, fibre_stress: Any = 0.0
+    strain: Any, fibre: Any, law: TransverselyIsotropic, fibre_stress: Any = 0.0
 ) -> Split:
     """Quadratic in E, isotropic across the unit direction `fibre` (shape (3,)).
 
@@ -69,7 +73,6 @@ def transversely_isotropic(
     fibres do, in bands of one cell: a yarn that bends without being pulled needs a G_a of that size.
     `fibre_stress` is the fibre's second Piola-Kirchhoff stress at rest, MPa.
     """
-    strain = green_lagrange(gradient)
     along = ufl.dot(strain, fibre)
     axial = ufl.dot(fibre, along)
     slide = ufl.dot(along, along) - axial**2

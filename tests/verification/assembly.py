@@ -14,7 +14,7 @@ from braidx.bodies import CurveBody, SolidBody
 from braidx.contact.contact import Contact
 from braidx.contact.skins import SkinLayout
 from braidx.contact.tubes import TubeLayout
-from braidx.rods.layout import body_tubes
+from braidx.rods.surfaces import body_tubes
 from braidx.solver.increment import Increment, Incrementer, IncrementOptions
 from braidx.solver.newton import Newton, NewtonOptions
 from braidx.system.constraints import Constraints

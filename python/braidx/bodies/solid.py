@@ -14,7 +14,7 @@ from dolfinx import fem
 from mpi4py import MPI
 
 from ..forms import hyperelastic, solid
-from ..forms.curve import integral
+from ..forms.curve import Part, integral
 from ..forms.materials import TransverselyIsotropic
 from ..forms.variation import variations
 from ..meshing.solid_mesh import SolidMesh
@@ -74,22 +74,27 @@ class SolidBody(AssembledBody):
         self._prestress = ElementField(self._domain)
         self.set_fibre_stress(fibre_stress)
         self.set_state(self.rest)
-        parts = solid.energy(
-            self._split(ufl.grad(self._state)), mesh.cell.name, mesh.degree, mesh.is_swept
-        )
-        self._assembler = Assembler(
-            variations(parts, self._state), self._space, self._nodes, self.num_nodes
-        )
+        gradient, foreseen = ufl.grad(self._state), None
+        if law != "neo-Hooke":
+            self._step = fem.Function(self._space)
+            foreseen = self._parts(self._split(gradient, ufl.grad(self._step)))
+        forms = variations(self._parts(self._split(gradient)), self._state, foreseen)
+        self._assembler = Assembler(forms, self._space, self._nodes, self.num_nodes)
 
-    def _split(self, gradient: Any) -> hyperelastic.Split:
+    def _parts(self, split: hyperelastic.Split) -> list[Part]:
+        return solid.energy(split, self.mesh.cell.name, self.mesh.degree, self.mesh.is_swept)
+
+    def _split(self, gradient: Any, step: Any = None) -> hyperelastic.Split:
+        """Energy of a deformation gradient; of laws quadratic in E as that of the last step foresaw it."""
         law = TransverselyIsotropic(*(self._material.function[i] for i in range(5)))
-        if self.law == "transversely isotropic":
-            fibre, stress = self._fibre.function, self._prestress.function
-            return hyperelastic.transversely_isotropic(gradient, fibre, law, stress)
         isotropic = hyperelastic.Isotropic(law.axial_modulus, law.axial_poisson)
         if self.law == "neo-Hooke":
             return hyperelastic.neo_hooke(gradient, isotropic)
-        return hyperelastic.saint_venant_kirchhoff(gradient, isotropic)
+        strain = hyperelastic.green_lagrange(gradient, step)
+        if self.law == "Saint-Venant-Kirchhoff":
+            return hyperelastic.saint_venant_kirchhoff(strain, isotropic)
+        fibre, stress = self._fibre.function, self._prestress.function
+        return hyperelastic.transversely_isotropic(strain, fibre, law, stress)
 
     @property
     def num_nodes(self) -> int:

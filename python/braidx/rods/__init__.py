@@ -1,4 +1,4 @@
-"""Scenes of a few rods: cables and beams of any shape, held, pulled, turned, in contact, at rest or in motion.
+"""Scenes of a few rods: cables, beams and solids of any shape, held, pulled, turned, in contact, at rest or in motion.
 
 from braidx.rods import Beam, Rods, YarnMaterial, straight
 
@@ -13,7 +13,7 @@ print(rods.positions(0)[-1], rods.reaction(0, 0))
 from ..bodies import BeamSection, YarnMaterial
 from .inertia import Scheme
 from .path import NotConverged
-from .rod import Beam, Cable, Rod
+from .rod import Beam, Cable, Rod, Solid
 from .rods import Rods
 from .shapes import arc, curve, helix, ring, straight
 
@@ -25,6 +25,7 @@ __all__ = [
     "Rod",
     "Rods",
     "Scheme",
+    "Solid",
     "YarnMaterial",
     "arc",
     "curve",

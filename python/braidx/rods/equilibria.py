@@ -132,6 +132,7 @@ class Equilibria:
         """What makes a state that was found no equilibrium, or nothing."""
         depth, a, b = hidden_overlap(self._contact, q)
         if depth:
+            a, b = self._layout.surface_rods[[a, b]]
             return f"rods {a} and {b} overlap by {depth:.3g} mm more than contact sees"
         if self._inertia is None and np.any(self._proximal.viscosity):
             self._proximal.start = q
@@ -183,6 +184,8 @@ class Equilibria:
         self.system.set_state(q)
         residual = self.system.residual()
         self.system.terms = everything
+        for sections in self._layout.sections.values():
+            sections.fold(residual)
         return residual
 
     def _ask_for(self, share: float) -> None:

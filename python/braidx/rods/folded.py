@@ -27,7 +27,7 @@ def refuse_folded(layout: Layout, q: Floats) -> None:
         if layout.block[rod] != 9:
             continue
         state = q[layout.unknowns(rod, slice(None))]
-        degree = layout.bodies[layout.place[rod, 0]].layout.degree
+        degree = int(layout.degree[rod])
         normals = np.cross(state[:, 3:6], state[:, 6:9])
         first = np.arange(0, len(state) - 1, degree)
         nodes = first[:, None] + np.arange(degree + 1)

@@ -1,4 +1,7 @@
-"""Rods as bodies, tubes and unknowns, which are numbered body by body, rod by rod, node by node."""
+"""Rods as bodies, surfaces and unknowns.
+
+Unknowns are numbered body by body, rod by rod, node by node; sections of solids come last.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +9,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from mpi4py import MPI
 
-from ..bodies import BeamBody, BeamSection, CableBody, CurveBody
-from ..bodies.frames import rotation_minimising_frames
+from ..bodies import CurveBody, SolidBody
+from ..contact.skins import SkinLayout
 from ..contact.tubes import TubeLayout
 from ..system.terms import Floats, Ints
-from .rod import Beam, Cable, Rod
+from .make_bodies import make_body
+from .rod import Beam, Cable, Rod, Solid
+from .sections import SolidSections
+from .surfaces import skins_of, tubes_of
 
 
 @dataclass(frozen=True)
@@ -23,28 +28,36 @@ class Layout:
     Attributes:
         bodies: Rods of one model and degree are one body.
         first_body: First unknown of each body, shape (num_bodies,).
-        first: First unknown of each rod, shape (num_rods,).
+        first: First unknown of each rod, of a solid that of its sections, shape (num_rods,).
         block: Unknowns of a node of each rod, 3 or 9, shape (num_rods,).
-        num_nodes: shape (num_rods,).
+        num_nodes, degree: shape (num_rods,).
+        radius: shape (num_rods,), mm.
         rest: Unknowns at rest, shape (num_unknowns,).
-        lengths: Length of rod that each unknown stands for, shape (num_unknowns,), mm.
+        lengths: Length of rod that each unknown stands for, shape (num_unknowns,), mm; 0 of nodes of solids.
         mass: Of each unknown, t on positions and t mm^2 on directors, shape (num_unknowns,).
         is_director: shape (num_unknowns,).
-        tubes: What contact sees.
-        place: Body and curve of each rod, shape (num_rods, 2).
-        round_off: Norm of what round-off of positions leaves of axial forces, N: no residual gets smaller.
+        tubes, skins: What contact sees of cables and beams, and of solids.
+        surface_rods: Rod of each surface, tubes first, shape (num_rods,).
+        sections: Of each solid, by number of the rod.
+        place: Body, and curve or part in it, of each rod, shape (num_rods, 2).
+        round_off: Norm of what round-off of positions leaves of internal forces, N: no residual gets smaller.
     """
 
-    bodies: tuple[CurveBody, ...]
+    bodies: tuple[CurveBody | SolidBody, ...]
     first_body: Ints
     first: Ints
     block: Ints
     num_nodes: Ints
+    degree: Ints
+    radius: Floats
     rest: Floats
     lengths: Floats
     mass: Floats
     is_director: np.ndarray
     tubes: TubeLayout
+    skins: SkinLayout | None
+    surface_rods: Ints
+    sections: dict[int, SolidSections]
     place: Ints
     round_off: float
 
@@ -60,6 +73,22 @@ class Layout:
         block = self.block[rod]
         return np.asarray(self.first[rod] + block * chosen[:, None] + np.arange(block))
 
+    def unknowns_to_hold(self, rod: int, nodes: int | slice | Sequence[int]) -> Ints:
+        """Unknowns of nodes that a support can hold, as in `unknowns`.
+
+        Raises:
+            ValueError: If the rod is a solid and a node is none of its ends.
+        """
+        unknowns = self.unknowns(rod, nodes)
+        if rod in self.sections:
+            inner = np.isin(unknowns[:, 0], self.sections[rod].inner)
+            if inner.any():
+                node = int((unknowns[inner][0, 0] - self.first[rod]) // 9)
+                raise ValueError(
+                    f"node {node} of rod {rod} cannot be held: of a solid hold the ends, 0 and -1"
+                )
+        return unknowns
+
 
 def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
     """Makes bodies of rods.
@@ -68,78 +97,96 @@ def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
         ValueError: If there is no rod, or one with an impossible value; the message names it.
     """
     if not rods:
-        raise ValueError("rods is empty: give one Cable or Beam at least")
-    groups: dict[tuple[type, int, str], list[int]] = {}
-    for number, rod in enumerate(rods):
-        natural = rod.natural_state if isinstance(rod, Beam) else ""
-        groups.setdefault((type(rod), rod.degree, natural), []).append(number)
-    bodies = tuple(_body(comm, [rods[i] for i in members]) for members in groups.values())
+        raise ValueError("rods is empty: give one Cable, Beam or Solid at least")
+    groups = _groups(rods)
+    bodies = tuple(make_body(comm, [rods[i] for i in members]) for members in groups)
     first_body = np.cumsum([0, *(body.num_unknowns for body in bodies)])
-    order = np.concatenate(list(groups.values()))
-    tubes = _joined(
-        [
-            body_tubes(body, [rods[i].radius for i in members], int(first))
-            for body, members, first in zip(bodies, groups.values(), first_body[:-1], strict=True)
-        ],
-        order,
-    )
-    sizes = [len(members) for members in groups.values()]
     place = np.empty((len(rods), 2), dtype=np.int64)
-    place[order, 0] = np.repeat(np.arange(len(sizes)), sizes)
-    place[order, 1] = np.concatenate([np.arange(size) for size in sizes])
-    first, block, spans = tubes.first_unknown, tubes.block, tubes.element_length
-    rest = np.concatenate([body.rest.ravel() for body in bodies])
+    for number, members in enumerate(groups):
+        place[members] = np.column_stack([np.full(len(members), number), np.arange(len(members))])
+    sections = _sections(rods, bodies, first_body, place)
+    first = np.array([_first(i, bodies, first_body, place, sections) for i in range(len(rods))])
+    block = np.array([3 if isinstance(rod, Cable) else 9 for rod in rods])
+    rest = np.concatenate(
+        [body.rest.ravel() for body in bodies] + [s.rest().ravel() for s in sections.values()]
+    )
     lengths, mass, is_director = (np.zeros(rest.size) for _ in range(3))
     num_nodes = np.array([len(rod.line) for rod in rods])
     for number, rod in enumerate(rods):
         own = slice(first[number], first[number] + block[number] * num_nodes[number])
         share = nodal_lengths(rod.line, rod.degree)
         lengths[own] = share.repeat(block[number])
-        mass[own] = (share[:, None] * _mass_per_length(rod)).ravel()
         is_director[own] = np.tile(np.arange(block[number]) >= 3, num_nodes[number])
+        if isinstance(rod, Solid):
+            unknowns, masses = sections[number].mass(share)
+            mass[unknowns] = masses
+        else:
+            mass[own] = (share[:, None] * _mass_per_length(rod)).ravel()
+    curves = [i for i, rod in enumerate(rods) if not isinstance(rod, Solid)]
     return Layout(
         bodies,
         first_body[:-1],
         first,
         block,
         num_nodes,
+        np.array([rod.degree for rod in rods]),
+        np.array([rod.radius for rod in rods], dtype=float),
         rest,
         lengths,
         mass,
         is_director.astype(bool),
-        tubes,
+        tubes_of(rods, bodies, first_body, groups),
+        skins_of(rods, bodies, first_body, place),
+        np.array(curves + list(sections), dtype=np.int64),
+        sections,
         place,
-        float(np.linalg.norm([_round_off(rod, h) for rod, h in zip(rods, spans, strict=True)])),
+        float(np.linalg.norm([_round_off(rod) for rod in rods])),
     )
 
 
-def body_tubes(body: CurveBody, radius: npt.ArrayLike, first_unknown: int = 0) -> TubeLayout:
-    """Tubes around the curves of a body, all of one body as friction sees it.
-
-    Args:
-        radius: mm, shape (num_curves,) or one for all.
-        first_unknown: Of the body.
-    """
-    curves, elements = body.curves, body.layout.curve_elements
-    ones = np.ones(len(curves) - 1, dtype=np.int64)
-    return TubeLayout(
-        first_unknown=first_unknown + body.block * curves[:-1],
-        num_elements=np.diff(elements),
-        degree=body.layout.degree * ones,
-        block=body.block * ones,
-        radius=np.asarray(radius, dtype=float) * ones,
-        element_length=np.add.reduceat(body.rest_lengths(), elements[:-1]) / np.diff(elements),
-        body=0 * ones,
-    )
+def _groups(rods: Sequence[Rod]) -> list[list[int]]:
+    """Rods that can be one body, curves before solids."""
+    groups: dict[tuple[bool, str, int, str], list[int]] = {}
+    for number, rod in enumerate(rods):
+        kind = {Beam: "natural_state", Solid: "law"}.get(type(rod), "")
+        solid = isinstance(rod, Solid)
+        key = (solid, type(rod).__name__, rod.degree, str(getattr(rod, kind, "")))
+        groups.setdefault(key, []).append(number)
+    return [groups[key] for key in sorted(groups, key=lambda key: key[0])]
 
 
-def _joined(parts: Sequence[TubeLayout], order: Ints) -> TubeLayout:
-    """Tubes of several bodies, each where `order` tells, shape (num_tubes,)."""
-    back = np.argsort(order)
-    names = ("first_unknown", "num_elements", "degree", "block", "radius", "element_length", "body")
-    return TubeLayout(
-        **{name: np.concatenate([getattr(part, name) for part in parts])[back] for name in names}
-    )
+def _sections(
+    rods: Sequence[Rod],
+    bodies: Sequence[CurveBody | SolidBody],
+    first_body: Ints,
+    place: Ints,
+) -> dict[int, SolidSections]:
+    found: dict[int, SolidSections] = {}
+    free = int(first_body[-1])
+    for number, rod in enumerate(rods):
+        body = bodies[place[number, 0]]
+        if isinstance(rod, Solid) and isinstance(body, SolidBody):
+            sweep = body.mesh.sweeps[int(place[number, 1])]
+            nodes = first_body[place[number, 0]] + 3 * sweep.layers
+            found[number] = SolidSections(rod, free, nodes, sweep.weights)
+            free += 9 * len(rod.line)
+    return found
+
+
+def _first(
+    rod: int,
+    bodies: Sequence[CurveBody | SolidBody],
+    first_body: Ints,
+    place: Ints,
+    sections: dict[int, SolidSections],
+) -> int:
+    """First unknown of the nodes, or of the sections, of a rod."""
+    if rod in sections:
+        return sections[rod].first
+    number, curve = place[rod]
+    body = bodies[number]
+    assert isinstance(body, CurveBody)
+    return int(first_body[number] + body.block * body.curves[curve])
 
 
 def nodal_lengths(line: Floats, degree: int) -> Floats:
@@ -160,62 +207,25 @@ def nodal_lengths(line: Floats, degree: int) -> Floats:
     return share
 
 
-def _round_off(rod: Rod, span: float) -> float:
+def _round_off(rod: Rod) -> float:
     """Strains are differences of positions over the length of an element: norm over the nodes of the rod, N.
 
-    Residuals that got no smaller were found to be 1.4 to 2.2 times the product of these; 4 leaves some room.
+    Residuals that got no smaller were found to be 1.4 to 2.2 times the product of these; 4 leaves some room. Strains
+    across a solid are so over its thickness, and their stresses act on its sides, not on its sections.
     """
+    length = float(np.linalg.norm(np.diff(rod.line, axis=0), axis=1).sum())
+    span = length * rod.degree / (len(rod.line) - 1)
     size = float(np.abs(rod.line).max() + np.ptp(rod.line))
-    axial = 4.0 * np.finfo(float).eps * rod.constrained_stiffness * size / span
-    return float(axial * np.sqrt(len(rod.line)))
+    force = 4.0 * np.finfo(float).eps * rod.constrained_stiffness * size / span
+    if isinstance(rod, Solid):
+        return float(force * (1.0 + span**2 / rod.area) * np.sqrt(len(rod.line)))
+    return float(force * np.sqrt(len(rod.line)))
 
 
-def _mass_per_length(rod: Rod) -> Floats:
+def _mass_per_length(rod: Cable | Beam) -> Floats:
     section = rod.section
     assert section is not None
     parts = [section.area] * 3
     if isinstance(rod, Beam):
         parts += [section.inertia_1] * 3 + [section.inertia_2] * 3
     return rod.density * np.array(parts)
-
-
-def _body(comm: MPI.Comm, rods: Sequence[Rod]) -> CurveBody:
-    lines = [np.asarray(rod.line, dtype=np.float64) for rod in rods]
-    degree, tension = rods[0].degree, [rod.tension for rod in rods]
-    if isinstance(rods[0], Cable):
-        return CableBody(
-            comm,
-            lines,
-            axial_stiffness=[rod.axial_stiffness for rod in rods if isinstance(rod, Cable)],
-            tension=tension,
-            degree=degree,
-            area=[rod.section.area for rod in rods if isinstance(rod, Cable)],
-        )
-    beams = [rod for rod in rods if isinstance(rod, Beam)]
-    factors = [beam.bundle_factor for beam in beams]
-    return BeamBody(
-        comm,
-        lines,
-        section=[_section(beam) for beam in beams],
-        material=[beam.material for beam in beams],
-        directors=[_directors(beam) for beam in beams],
-        degree=degree,
-        bundle_factor=factors,
-        torsion_factor=[
-            factor if beam.torsion_factor is None else beam.torsion_factor
-            for beam, factor in zip(beams, factors, strict=True)
-        ],
-        natural_state=beams[0].natural_state,
-        tension=tension,
-    )
-
-
-def _section(beam: Beam) -> BeamSection:
-    assert beam.section is not None
-    return beam.section
-
-
-def _directors(beam: Beam) -> Floats:
-    if beam.directors is None:
-        return rotation_minimising_frames([beam.line])[0]
-    return np.asarray(beam.directors, dtype=np.float64)

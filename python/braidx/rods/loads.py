@@ -37,7 +37,9 @@ class Loads:
             ValueError: If the node has no directors.
         """
         if unknowns.shape[1] < 9:
-            raise ValueError(f"rod {rod} is a cable: couples act on sections, give a Beam")
+            raise ValueError(
+                f"rod {rod} is a cable: couples act on sections, give a Beam or a Solid"
+            )
         first = int(unknowns[0, 3])
         before = self._couples.get(first, (np.zeros(3), np.zeros(3)))[0]
         self._couples[first] = (before, couple)

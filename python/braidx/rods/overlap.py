@@ -49,9 +49,10 @@ def _depths(
     gaps = engine.contact_results(
         contact.surfaces, elements, q, q, contact.laws, contact.num_threads
     )["gap"]
-    tubes = elements.arrays()["tubes"]
+    tubes, num_tubes = elements.arrays()["tubes"], len(contact.layout.radius)
     depths: dict[tuple[int, int], float] = {}
-    for i in np.flatnonzero((gaps < 0.0) & (tubes[:, 1] >= 0)):
+    of_tubes = np.all((tubes >= 0) & (tubes < num_tubes), axis=1)
+    for i in np.flatnonzero((gaps < 0.0) & of_tubes):
         a, b = int(tubes[i, 0]), int(tubes[i, 1])
         depths[a, b] = max(depths.get((a, b), 0.0), -float(gaps[i]))
     return depths

@@ -68,7 +68,7 @@ class Chords:
         rod = owner[first]
         exclusion = float(contact.pairing.search.self_exclusion)
         others = contact.layout.group is None
-        return cls(positions, first, rod, layout.tubes.radius[rod], exclusion, others)
+        return cls(positions, first, rod, layout.radius[rod], exclusion, others)
 
     def meetings(self, state: Floats) -> set[tuple[int, int]]:
         """Pairs of rods, the lower number first, that have chords too near each other in a state."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..system.terms import Floats
+from ..system.terms import Floats, Ints
 from .layout import Layout
 
 
@@ -31,7 +31,20 @@ def placed(layout: Layout, q: Floats, lines: Mapping[int, Floats]) -> Floats:
         for first in range(3, unknowns.shape[1], 3):
             director = unknowns[:, first : first + 3]
             guess[director] = _turned(q[director], before, after)
+        if rod in layout.sections:
+            sections = layout.sections[rod].nodes[:, :, None] + np.arange(3)
+            guess[sections] = _turned_sections(q, unknowns[:, :3], sections, line, before, after)
     return guess
+
+
+def _turned_sections(
+    q: Floats, centres: Ints, sections: Ints, line: Floats, before: Floats, after: Floats
+) -> Floats:
+    """Nodes of sections, shape (num_sections, nodes_per_section, 3), that keep their places in them."""
+    from_centre = q[sections] - q[centres][:, None]
+    tangents = (np.repeat(t, from_centre.shape[1], axis=0) for t in (before, after))
+    turned = _turned(from_centre.reshape(-1, 3), *tangents)
+    return np.asarray(line)[:, None] + turned.reshape(from_centre.shape)
 
 
 def _tangents(line: Floats) -> Floats:

@@ -37,12 +37,13 @@ class Rods(RodState):
     calls of `solve` or `run` is applied in the course of the next one.
 
     Args:
-        rods: Cables and beams, at rest.
+        rods: Cables, beams and solids, at rest.
         friction: Coefficient of friction.
-        penalty: Per length of contact, N/mm per mm, to begin with; from the softest rod by default.
+        penalty: Per length of contact, N/mm per mm, to begin with; from the softest rod by default. Per area, where
+            solids touch, it is over the smallest radius.
         penetration: Largest penetration over the radius of the thinnest rod, which penalties grow for. None: they stay.
         contact: Whether rods touch each other.
-        self_contact: Distance along a rod, in radii, from which on it may touch itself. None: never.
+        self_contact: Distance along a cable or beam, in radii, from which on it may touch itself. None: never.
         rigid: Rigid surfaces, from braidx_engine.make_plane, make_cylinder or make_sheave.
         spacing: Of places where contact is looked for, mm; half the shortest element by default, two radii at most.
         tolerance: Relative residual of an equilibrium.
@@ -81,14 +82,17 @@ class Rods(RodState):
         self.comm, self.rods = comm, list(rods)
         self.layout = lay_out(comm, rods)
         self.q = self.layout.rest.copy()
-        self.supports = Supports(self.layout.rest)
+        self.supports = Supports(self.layout.rest, list(self.layout.sections.values()))
         self.loads = Loads(self.layout)
-        self.contact = make_contact(comm, self.layout.tubes, contact, self_contact, spacing)
+        self.contact = make_contact(comm, self.layout, contact, self_contact, spacing)
         self.contact.rigid = list(rigid)
         self.contact.laws.friction = [friction]
-        self.contact.pairing.stiffness = penalty or min(rod.stiffness_across for rod in rods)
+        stiffness = penalty or min(rod.stiffness_across for rod in rods)
+        self.contact.pairing.stiffness = stiffness
+        self.contact.pairing.area_stiffness = stiffness / self.contact.min_radius
         self.proximal = ProximalTerm(self.q.size, comm.rank)
-        self.proximal.viscosity[:] = np.where(self.layout.is_director, 0.0, viscosity)
+        nodes = (self.layout.lengths > 0.0) & ~self.layout.is_director
+        self.proximal.viscosity[:] = np.where(nodes, viscosity, 0.0)
         self.time = self.friction_work = 0.0
         self.penetration = None if penetration is None else penetration * self.contact.min_radius
         self._inertia: InertiaTerm | None = None
@@ -121,8 +125,12 @@ class Rods(RodState):
     # What is held and moved
 
     def hold(self, rod: int, nodes: Nodes = ALL, components: Any = ALL) -> None:
-        """Components of nodes stay where they are: 0 to 2 the position, 3 to 5 and 6 to 8 the directors."""
-        self.supports.hold(self.layout.unknowns(rod, nodes)[:, components].ravel(), self.q)
+        """Components of nodes stay where they are: 0 to 2 the position, 3 to 5 and 6 to 8 the directors.
+
+        Raises:
+            ValueError: If the rod is a solid and a node is none of its ends.
+        """
+        self.supports.hold(self.layout.unknowns_to_hold(rod, nodes)[:, components].ravel(), self.q)
 
     def pin(self, rod: int, nodes: Nodes) -> None:
         """Positions stay where they are; sections may turn."""
@@ -142,7 +150,9 @@ class Rods(RodState):
         Returns:
             Number of the group.
         """
-        positions = [self.layout.unknowns(rod, node)[0, :3][components] for rod, node in places]
+        positions = [
+            self.layout.unknowns_to_hold(rod, node)[0, :3][components] for rod, node in places
+        ]
         return self.supports.hold_mean(np.array(positions), self.q)
 
     def move(

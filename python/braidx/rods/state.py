@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from mpi4py import MPI
 
+from ..bodies import SolidBody
 from ..contact.contact import Contact
 from ..system.terms import Floats
 from .equilibria import Equilibria
@@ -41,10 +42,12 @@ class RodState:
 
     def tension(self, rod: int) -> Floats:
         """Mean axial force of each element, N, shape (num_elements,)."""
-        number, curve = self.layout.place[rod]
+        number, part = (int(value) for value in self.layout.place[rod])
         body, first = self.layout.bodies[number], self.layout.first_body[number]
         state = self.q[first : first + body.num_unknowns].reshape(-1, body.block)
-        elements = slice(*body.layout.curve_elements[[curve, curve + 1]])
+        if isinstance(body, SolidBody):
+            return body.mean_axial_force(state, part)
+        elements = slice(*body.layout.curve_elements[[part, part + 1]])
         return body.tension(state)[elements]
 
     def reaction(self, rod: int, node: int) -> tuple[Floats, Floats]:
@@ -105,7 +108,10 @@ class RodState:
 
     def contacts(self) -> dict[str, npt.NDArray[Any]]:
         """Results per contact element, see Contact.results; "tubes" are numbers of rods."""
-        return self.contact.results(self.q)
+        results = self.contact.results(self.q)
+        surfaces, rods = results["tubes"], self.layout.surface_rods
+        results["tubes"] = np.where(surfaces < 0, surfaces, rods[np.maximum(surfaces, 0)])
+        return results
 
     def draw(self, path: str | Path, by_tension: bool = False, **view: Any) -> Path:
         """Draws the rods as a PNG, a colour for each or by tension; see draw_rods for the view.
@@ -116,7 +122,7 @@ class RodState:
         lines = [self.positions(rod) for rod in range(count)]
         tension = [self.tension(rod) for rod in range(count)] if by_tension else None
         if self.comm.rank == 0:
-            draw_rods(lines, list(self.layout.tubes.radius), Path(path), tension, **view)
+            draw_rods(lines, list(self.layout.radius), Path(path), tension, **view)
         return Path(path)
 
     def elastic_energy(self) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from ..system.constraints import ConstraintMap, Constraints
 from ..system.terms import Floats, Ints
+from .sections import SolidSections
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,8 @@ class Supports:
         means: Values that held means have now, mm, one array of shape (num_components,) per group.
     """
 
-    def __init__(self, rest: Floats) -> None:
+    def __init__(self, rest: Floats, sections: Sequence[SolidSections] = ()) -> None:
+        self._sections = sections
         self.held = rest.copy()
         self.means: list[Floats] = []
         self.is_held = np.zeros(rest.size, dtype=bool)
@@ -113,6 +116,8 @@ class Supports:
     def constraints(self) -> ConstraintMap:
         """What the supports leave free."""
         constraints = Constraints(self.held.size)
+        for section in self._sections:
+            section.constrain(constraints)
         constraints.hold(np.flatnonzero(self.is_held))
         for group in self._groups:
             for component in group.T:

@@ -1,11 +1,14 @@
-"""A beam pressed across two cables, with friction; as a script it writes what it finds, for any number of processes."""
+"""A beam pressed across two cables, or on a solid, with friction.
+
+As a script it writes what it finds, for any number of processes.
+"""
 
 import sys
 
 import numpy as np
 from mpi4py import MPI
 
-from braidx.rods import Beam, Cable, Rods, YarnMaterial, straight
+from braidx.rods import Beam, Cable, Rods, Solid, YarnMaterial, straight
 
 
 def pressed():
@@ -23,19 +26,36 @@ def pressed():
     return rods
 
 
-def results(rods):
+def pressed_on_solid():
+    """The beam's clamped ends go down by 0.3 mm and along by 0.2 mm, askew across a bar of hexahedra."""
+    material = YarnMaterial.isotropic(2e3, 0.3)
+    across = straight((-0.7, -6, 2.0), (0.4, 6, 2.0), 12)
+    below = straight((-6, 0, 0), (6, 0, 0), 12)
+    parts = [Beam(across, 1.0, material), Solid(below, 1.0, material, degree=1)]
+    rods = Rods(parts, friction=0.2, tolerance=1e-10)
+    for rod in (0, 1):
+        rods.clamp(rod, [0, -1])
+    rods.move(0, [0, -1], by=(0.2, 0.0, -0.3))
+    rods.solve(increments=2)
+    return rods
+
+
+def results():
     """What processes have to agree on."""
-    return {
-        "q": rods.q,
-        "reaction": np.concatenate(rods.reaction(0, 0)),
-        "tension": rods.tension(1),
-        "energy": [rods.elastic_energy()],
-        "friction work": [rods.friction_work],
-    }
+    found = {}
+    for name, rods in (("cables", pressed()), ("solid", pressed_on_solid())):
+        found |= {
+            f"{name}: q": rods.q,
+            f"{name}: reaction": np.concatenate(rods.reaction(0, 0)),
+            f"{name}: tension": rods.tension(1),
+            f"{name}: energy": [rods.elastic_energy()],
+            f"{name}: friction work": [rods.friction_work],
+        }
+    return found
 
 
 def main(path):
-    found = results(pressed())
+    found = results()
     if MPI.COMM_WORLD.rank == 0:
         np.savez(path, **found)
 

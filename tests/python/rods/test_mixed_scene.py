@@ -1,4 +1,4 @@
-"""Beams and cables in one scene, in contact, on one process and on two."""
+"""Beams, cables and solids in one scene, in contact, on one process and on two."""
 
 import os
 import shutil
@@ -43,5 +43,5 @@ def test_two_processes_find_what_one_does(tmp_path):
     done = subprocess.run(words, env=environment, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
     two = np.load(path)
-    for name, value in mixed_scene.results(mixed_scene.pressed()).items():
+    for name, value in mixed_scene.results().items():
         assert two[name] == pytest.approx(np.array(value), rel=1e-7, abs=1e-7), name

@@ -75,19 +75,21 @@ MESHES = [(6, (6, 5, 2), 1), (8, (5, 5, 2), 1), (7, (3, 3, 1), 2)]
 
 @pytest.mark.parametrize("model", ["beam", "cable"])
 @pytest.mark.parametrize("num_elements, counts, degree", MESHES)
-def test_pressed(num_elements, counts, degree, model):
+def test_pressed(record, num_elements, counts, degree, model):
     """Forces sum to q L on both sides. Penetration is q / k: on average to round-off, everywhere within 1.7 % under
     a beam, whose stations and nodes do not match those of the block; a cable is judged two elements off its ends.
     """
     scene = lying(model, num_elements, counts, degree)
     contacts = scene.contacts()
     force = LOAD * LENGTH
-    assert contacts["normal_force"].sum() == pytest.approx(force, rel=1e-5)
+    what, size = f"patch of a {model} on hexahedra: ", scene.q.size
+    normal = contacts["normal_force"].sum()
+    record.check("C6", what + "sum q L", normal, force, 1e-5, unknowns=size)
     below = scene.of(BLOCK, scene.reactions()).sum(axis=0)
     assert below == pytest.approx([0.0, 0.0, force], abs=1e-5 * force)
     penetration = -contacts["gap"] - scene.contact.laws.regularisation / 2
     mean = np.average(penetration, weights=contacts["weight"])
-    assert mean == pytest.approx(LOAD / PENALTY, rel=1e-5)
+    record.check("C6", what + "mean penetration q / k", mean, LOAD / PENALTY, 1e-5, unknowns=size)
     s = contacts["s"][:, 0]
     inside = (s > 2) & (s < num_elements - 2) if model == "cable" else s > 0
     assert penetration[inside] == pytest.approx(LOAD / PENALTY, rel=0.02)
@@ -105,13 +107,14 @@ def pulled(scene, axis):
 
 @pytest.mark.parametrize("model", ["beam", "cable"])
 @pytest.mark.parametrize("axis", [0, 1], ids=["along", "across"])
-def test_sliding(axis, model):
+def test_sliding(record, axis, model):
     """Over one and a half facets of a hard block: mu N, wherever nodes are."""
     scene = sliding(model, HARD)
     for _ in range(8):
         scene.of(CURVE, scene.held)[:, axis] += 0.2
         scene.solve()
-        assert pulled(scene, axis) == pytest.approx(1.0, rel=0.005)
+        what, got = f"{model} that slides over hexahedra: friction over mu N", pulled(scene, axis)
+        record.check("C8", what, got, 1.0, 5e-3, unknowns=scene.q.size)
 
 
 def test_sliding_over_a_soft_block():

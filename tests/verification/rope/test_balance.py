@@ -9,7 +9,7 @@ from mpi4py import MPI
 from braidx.bodies import BeamBody, BeamSection, CableBody, CurveBody, YarnMaterial
 from braidx.contact.contact import Contact
 from braidx.geometry import build_rope
-from braidx.rods.layout import body_tubes
+from braidx.rods.surfaces import body_tubes
 from braidx.scene import load_scene
 
 SCENE = load_scene(Path(__file__).parents[3] / "demos" / "twisted_strand.toml")

@@ -1,0 +1,84 @@
+"""What contact sees of rods: cables and beams as tubes, solids as skins."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from ..bodies import CurveBody, SolidBody
+from ..contact.skins import SkinLayout
+from ..contact.tubes import TubeLayout
+from ..system.terms import Ints
+from .rod import Rod, Solid
+
+
+def tubes_of(
+    rods: Sequence[Rod],
+    bodies: Sequence[CurveBody | SolidBody],
+    first_body: Ints,
+    groups: Sequence[Sequence[int]],
+) -> TubeLayout:
+    """Tubes of cables and beams, in their order."""
+    parts: list[TubeLayout] = []
+    order: list[int] = []
+    for body, first, members in zip(bodies, first_body, groups, strict=False):
+        if isinstance(body, CurveBody):
+            parts.append(body_tubes(body, [rods[i].radius for i in members], int(first)))
+            order += members
+    if not parts:
+        return TubeLayout(*(np.empty(0, int),) * 4, np.empty(0), np.empty(0), np.empty(0, int))
+    return _joined(parts, np.array(order))
+
+
+def skins_of(
+    rods: Sequence[Rod],
+    bodies: Sequence[CurveBody | SolidBody],
+    first_body: Ints,
+    place: Ints,
+) -> SkinLayout | None:
+    """Skins of solids, in their order."""
+    facets, radius, offset = [], [], []
+    for i, rod in enumerate(rods):
+        number, part = int(place[i, 0]), int(place[i, 1])
+        body = bodies[number]
+        if isinstance(rod, Solid) and isinstance(body, SolidBody):
+            facets.append(first_body[number] + 3 * body.facet_nodes("lateral", part))
+            radius.append(rod.radius)
+            offset.append(rod.offset)
+    ones = np.ones(len(facets), dtype=np.int64)
+    if not facets:
+        return None
+    return SkinLayout(
+        tuple(facets), 0 * ones, -ones, np.array(radius, dtype=float), offset=np.array(offset)
+    )
+
+
+def body_tubes(body: CurveBody, radius: npt.ArrayLike, first_unknown: int = 0) -> TubeLayout:
+    """Tubes around the curves of a body, all of one body as friction sees it.
+
+    Args:
+        radius: mm, shape (num_curves,) or one for all.
+        first_unknown: Of the body.
+    """
+    curves, elements = body.curves, body.layout.curve_elements
+    ones = np.ones(len(curves) - 1, dtype=np.int64)
+    return TubeLayout(
+        first_unknown=first_unknown + body.block * curves[:-1],
+        num_elements=np.diff(elements),
+        degree=body.layout.degree * ones,
+        block=body.block * ones,
+        radius=np.asarray(radius, dtype=float) * ones,
+        element_length=np.add.reduceat(body.rest_lengths(), elements[:-1]) / np.diff(elements),
+        body=0 * ones,
+    )
+
+
+def _joined(parts: Sequence[TubeLayout], order: Ints) -> TubeLayout:
+    """Tubes of several bodies, each where `order` tells, shape (num_tubes,)."""
+    back = np.argsort(order)  # ranks: solids among the rods are passed over
+    names = ("first_unknown", "num_elements", "degree", "block", "radius", "element_length", "body")
+    return TubeLayout(
+        **{name: np.concatenate([getattr(part, name) for part in parts])[back] for name in names}
+    )
