@@ -53,7 +53,16 @@ class LaggedFactors:
             self._untried = self._failures = 2 * self._failures + 1
         self._stale = True
         self._solve(ksp, right, solution)
-        pc.setFailedReason(ksp.getPC().getFailedReason())
+        failed = ksp.getPC().getFailedReason()
+        pc.setFailedReason(failed)
+        if failed:
+            # MUMPS does not factorise again what it failed to, whatever the matrix is by then.
+            self._discard()
+
+    def _discard(self) -> None:
+        if self._ksp is not None:
+            self._ksp.destroy()
+        self._ksp, self._stale = None, True
 
     def _solve(self, ksp: PETSc.KSP, right: PETSc.Vec, solution: PETSc.Vec) -> bool:
         self.factorisations += self._stale
@@ -68,10 +77,9 @@ class LaggedFactors:
         """GMRES with factors; anew where the number of unknowns has changed."""
         if self._ksp is not None and self._size == matrix.size[0]:
             return self._ksp
-        if self._ksp is not None:
-            self._ksp.destroy()
+        self._discard()
         ksp = self._ksp = PETSc.KSP().create(matrix.comm)
-        self._size, self._stale = matrix.size[0], True
+        self._size = matrix.size[0]
         ksp.setOptionsPrefix(self._prefix)
         ksp.setType("gmres")
         ksp.setPCSide(PETSc.PC.Side.RIGHT)  # residuals are those of the system

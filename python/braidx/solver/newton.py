@@ -12,10 +12,9 @@ from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
 from .lagged import LaggedFactors
 from .petsc_options import PREFIX, set_options
+from .reasons import INDEFINITE, UNSOLVED, broken_off, ended
 from .step_limit import StepLimit
 
-NOT_FACTORISED = 81  # PETSC_ERR_MAT_CH_ZRPVT: Cholesky met a pivot that is not positive
-INDEFINITE = "the tangent is not positive definite"
 LINE_SEARCH = "snes_linesearch_type"
 VAIN = 3  # see NewtonOptions
 PATIENT = 5  # the same where no search follows
@@ -212,16 +211,20 @@ class Newton:
         self._least, self._in_vain, self._most_in_vain = np.inf, 0, most_in_vain
         self._limit.restart()
         begun = self._lagged.solves if self._lagged is not None else 0
+        error = None
         try:
             snes.solve(None, self.system.vector)
-            reason = _reason_name(snes.getConvergedReason())
-            converged = snes.getConvergedReason() > 0
-        except PETSc.Error as error:
-            reason = INDEFINITE if error.ierr == NOT_FACTORISED else f"PETSc error {error.ierr}"
-            converged = False
+        except PETSc.Error as broken:
+            error = broken
         iterations, solves = snes.getIterationNumber(), snes.getLinearSolveIterations()
-        if reason.startswith("PETSc"):
+        code = snes.getConvergedReason()
+        converged, reason = error is None and code > 0, ended(code)
+        if error is not None:
             self._leave_locked_vectors()
+            reason = broken_off(error)
+        elif reason == UNSOLVED:
+            # MUMPS does not factorise again what it failed to, whatever the matrix is by then.
+            self.renew(self.indefinite)
         if self._lags and self._lagged is not None:
             solves = self._lagged.solves - begun
         return NewtonResult(
@@ -292,8 +295,3 @@ def _may_lag(options: NewtonOptions) -> bool:
     """Unless the user chooses a solver."""
     chosen = any(key.startswith(("ksp_", "pc_")) for key in options.petsc or {})
     return options.lagged and not chosen
-
-
-def _reason_name(code: int) -> str:
-    names = {v: k for k, v in vars(PETSc.SNES.ConvergedReason).items() if isinstance(v, int)}
-    return names.get(code, str(code)).lower().replace("_", " ")

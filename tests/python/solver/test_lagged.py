@@ -95,3 +95,5 @@ def test_a_matrix_that_cannot_be_factorised_is_told(before):
     singular[:, 5] = 0.0
     _, reason = solved(factors, sp.csr_matrix(singular))
     assert reason < 0
+    residual, reason = solved(factors, SPRINGS)
+    assert residual < 1e-3 and reason > 0
