@@ -68,7 +68,7 @@ def claims(outcomes: Sequence[Outcome]) -> list[Claim]:
         Claim(
             "same stiffness",
             "the rope's stiffness no longer depends on friction once the gaps have vanished (figure 19)",
-            f"the three differ by no more than {100 * SAME:.0f} %",
+            f"stiffnesses differ by no more than {100 * SAME:.0f} %",
             f"{listed(stiffness, '.0f')} kN, {100 * difference:.1f} %",
             difference <= SAME,
         ),

@@ -11,6 +11,10 @@ RECORDS = pytest.StashKey[Records]()
 CHOSEN = pytest.StashKey[bool]()  # whether a part of the tests only was to run
 
 
+def pytest_addoption(parser):
+    parser.addoption("--papers", action="store_true", help="ropes of the papers, too: minutes")
+
+
 def pytest_configure(config):
     config.stash[RECORDS], config.stash[CHOSEN] = Records(), False
 
@@ -29,11 +33,12 @@ def record(request):
 def pytest_sessionfinish(session, exitstatus):
     """A page of all cases, or none: a part of them must not take the place of the whole."""
     config = session.config
+    if hasattr(config, "workerinput") or config.getoption("numprocesses", None):
+        return  # processes that share the tests each know their part of the results only
     asked = {Path(config.invocation_params.dir, argument).resolve() for argument in config.args}
     whole = FOLDER in asked and exitstatus == pytest.ExitCode.OK and not config.stash[CHOSEN]
-    # Processes that share the tests each know their part of the results only.
-    alone = not hasattr(config, "workerinput") and not config.getoption("numprocesses", None)
-    if whole and alone and not config.option.collectonly:
+    skipped = config.pluginmanager.getplugin("terminalreporter").stats.get("skipped")
+    if whole and not skipped and not config.option.collectonly:
         from record_page import write  # draws, which takes a while to import
 
         write(config.stash[RECORDS], DOCS)

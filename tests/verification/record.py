@@ -9,7 +9,13 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
-FAMILIES = {"yarn": "yarn", "contact": "contact", "rope": "strands", "solid": "solids"}  # by folder
+FAMILIES = {  # by folder
+    "yarn": "yarn",
+    "contact": "contact",
+    "rope": "strands",
+    "solid": "solids",
+    "paper": "papers",
+}
 
 
 @dataclass(frozen=True)
@@ -43,11 +49,31 @@ class Row:
     missed: str = ""
 
 
+@dataclass(frozen=True)
+class Verdict:
+    """What a paper says in words, and what became of it.
+
+    Attributes:
+        case: "R6" and the like.
+        said: What the paper says.
+        criterion: When that is taken to hold.
+        found: What was computed.
+        missed: Why it does not hold, where that is so.
+    """
+
+    case: str
+    said: str
+    criterion: str
+    found: str
+    missed: str = ""
+
+
 @dataclass
 class Records:
     """All statements of a session, by family."""
 
     rows: dict[str, list[Row]] = field(default_factory=dict)
+    verdicts: dict[str, list[Verdict]] = field(default_factory=dict)
 
     def add(self, family: str, row: Row) -> None:
         """Statements that read the same count as one, whose worst value is shown."""
@@ -84,6 +110,7 @@ class Recorder:
         unknowns: int = 0,
         missed: str = "",
         measured: float = 0.0,
+        seconds: float | None = None,
     ) -> None:
         """States that values are as expected.
 
@@ -91,12 +118,13 @@ class Recorder:
             computed, expected: Numbers, or arrays of any shapes that fit each other.
             tolerance: Of the error over `scale`, which is the expected value of each entry by default.
             missed: Why the tolerance is known to be missed; `measured` is then what the error must not exceed.
+            seconds: That the values took; those since the last statement by default.
         """
         got, wanted = np.broadcast_arrays(np.asarray(computed, float), np.asarray(expected, float))
         errors = np.abs(got - wanted) / (np.abs(wanted) if scale is None else scale)
         worst = int(np.argmax(errors))
         values = (float(a.ravel()[worst]) for a in (wanted, got, errors))
-        seconds = self._seconds()
+        seconds = self._seconds() if seconds is None else seconds
         why = missed if errors.max() > tolerance else ""
         row = Row(case, what, *values, tolerance, got.size, seconds, unknowns, missed=why)
         self._records.add(self._family, row)
@@ -125,6 +153,19 @@ class Recorder:
         row = Row(**(vars(row) | {"order": float(orders.min()), "meshes": pairs}))
         self._records.add(self._family, row)
         assert orders.min() >= least_order and finest <= largest, row
+
+    def judge(
+        self, case: str, said: str, criterion: str, found: str, holds: bool, *, missed: str = ""
+    ) -> None:
+        """States whether what a paper says in words holds.
+
+        Args:
+            said, criterion, found: What the paper says, when that is taken to hold, and what was computed.
+            missed: Why it is known not to hold; should it hold nevertheless, this is to be taken away.
+        """
+        verdict = Verdict(case, said, criterion, found, missed)
+        self._records.verdicts.setdefault(self._family, []).append(verdict)
+        assert holds != bool(missed), verdict
 
     def _seconds(self) -> float:
         """Since the last statement."""

@@ -2,7 +2,7 @@
 
 import pytest
 from record import Recorder, Records
-from record_page import line
+from record_page import line, verdict_line
 
 
 @pytest.fixture
@@ -50,6 +50,21 @@ def test_statements_that_read_the_same_are_one(records, recorder):
         recorder.check("V1", "force", value, 1.0, 0.05)
     (row,) = records.rows["yarn"]
     assert (row.computed, row.count) == (1.03, 3)
+
+
+def test_statements_in_words_have_to_hold(records, recorder):
+    recorder.judge("R6", "it rises", "it does", "1, 2", True)
+    with pytest.raises(AssertionError):
+        recorder.judge("R6", "it rises", "it does", "2, 1", False)
+    lines = [verdict_line(verdict) for verdict in records.verdicts["yarn"]]
+    assert lines == ["| R6 | it rises | it does | 1, 2 | holds |"] + lines[1:]
+
+
+def test_statements_in_words_that_are_missed_have_to_be_missed(records, recorder):
+    recorder.judge("R6", "it rises", "it does", "2, 1", False, missed="too coarse")
+    assert verdict_line(records.verdicts["yarn"][0]).endswith("| **missed** |")
+    with pytest.raises(AssertionError):
+        recorder.judge("R6", "it rises", "it does", "1, 2", True, missed="too coarse")
 
 
 def test_convergence(records, recorder):

@@ -64,6 +64,13 @@ def test_shell_keeps_its_own_options() -> None:
     assert command("shell", "echo", "--ranks", "3") == ["echo", "--ranks", "3"]
 
 
+@pytest.mark.parametrize(("given", "papers"), [("--verification", True), ("--studies", False)])
+def test_ropes_of_the_papers_are_part_of_the_verification_only(given: str, papers: bool) -> None:
+    words = command("test", given, "-k", "rope")
+    assert words[:4] == ["python3", "-m", "pytest", f"tests/{given[2:]}"]
+    assert ("--papers" in words) == papers and words[-2:] == ["-k", "rope"]
+
+
 def test_runs_from_any_folder_and_through_a_link(tmp_path: Path) -> None:
     link = tmp_path / "braidx"
     link.symlink_to(LAUNCHER)

@@ -15,6 +15,7 @@ run_tests() {
         *) options+=("$argument")
             [ -e "$checkout/${argument%%::*}" ] && [ "${argument#-}" = "$argument" ] && folders+=("") ;;
         esac
+        [ "$argument" != --verification ] || options+=(--papers)
     done
     cd "$checkout"
     if [ ${#folders[@]} = 0 ]; then
