@@ -28,9 +28,9 @@ are read off figures, and what the papers do not state was chosen, openly ([pape
 [paper 2](deviations.md#bending-over-a-sheave-paper-2)). Tolerances say what is called agreement.
 
 Ropes are formed and pulled, or bent, anew (`tests/verification/paper/`), unless `BRAIDX_PAPER_RUNS` names a folder that
-has them; seconds are theirs, each on one thread. The pitch of 132 mm (R5) is given. There is
-more in the studies of [pitch](study_pitch.md), [friction](study_friction.md), 0.03, too, and
-[bending](bending.md), where that sliding hardly depends on the number and the radius of yarns (R7) is judged.
+has them; seconds are theirs, each on one thread. The pitch of 132 mm (R5) is given.
+There is more in the studies of [pitch](study_pitch.md), of [friction](study_friction.md), with 0.03, too, and of
+[bending](bending.md): that sliding hardly depends on the number and the radius of yarns (R7) is judged there alone.
 """
 }
 HEAD = """\

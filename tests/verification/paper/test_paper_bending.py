@@ -71,7 +71,7 @@ def test_estimate(bent, record, place, missed, measured):
     """A trend, good to a factor of two: without friction, of a yarn that slides along its own path alone."""
     outcome = bent["ratio"][place]
     ratio = outcome.values[ESTIMATE] / outcome.values[SLIP]
-    what = f"D/d = {outcome.case.label}: frictionless estimate over relative displacement"
+    what = f"D/d = {outcome.case.label}: frictionless estimate over displacement"
     took = outcome.values[SECONDS]
     record.check("R7", what, ratio, 1.0, 1.0, missed=missed, measured=measured, seconds=took)
 

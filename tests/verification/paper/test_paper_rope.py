@@ -1,9 +1,12 @@
 """R4 to R6: paper 1's rope, and ropes like it of other pitches and with little friction.
 
-References are the paper's experiment and its model, neither of which is exact. The ropes are those of the studies of
-pitch and friction, which also say when a statement is taken to hold; friction of 0.03, which lies between the others,
-is left to the study.
+References are the paper's experiment and its model, neither of which is exact. Ropes and criteria are those of the
+studies of pitch and friction; friction of 0.03, which lies between the others, is left to the study. The rope of least
+friction comes to rest at the demo's 7 kN, not at the study's 0.5, which takes it an hour: its toe is behind it then,
+and strain counts from the formed rope all the same.
 """
+
+from dataclasses import replace
 
 import friction_coefficient
 import pitch_length
@@ -44,10 +47,7 @@ PITCH = {
     ),
 }
 FRICTION = {
-    "same stiffness": (
-        "near 70 kN, where a pull ends, the rope of least friction gives way from one increment to the next, which is "
-        "in the slope from 50 to 100 kN; from 70 kN on the slopes differ by less (page of the study)."
-    ),
+    "same stiffness": "",
     "shorter toe": "",
     "more scatter": (
         "among yarns it is the other way round. Each keeps the length that it has in the die, and with little friction "
@@ -60,29 +60,27 @@ FRICTION = {
 @pytest.fixture(scope="session")
 def pulled(runs):
     """Ropes by friction, and by pitch; every one converged."""
-    found = compute(
-        runs, cases_of(friction_coefficient.study(), "0.003", "0.1"), pitch_length.study()
-    )
+    slippery = replace(cases_of(friction_coefficient.study(), "0.003"), base=())
+    (least,), pitches = found = compute(runs, slippery, pitch_length.study())
     failures = {o.case.label: o.failure for outcomes in found for o in outcomes if o.failure}
     assert failures == {}
-    return found
+    return [least, *(rope for rope in pitches if rope.case.label == "132")], pitches
 
 
 @pytest.mark.parametrize("case, what, name, reference, tolerance", VALUES)
 def test_rope(pulled, record, case, what, name, reference, tolerance):
-    (rope,) = (outcome for outcome in pulled[1] if outcome.case.label == "132")
+    rope = pulled[0][-1]
     took = rope.values[SECONDS]
     record.check(case, what, rope.values[name], reference, tolerance, seconds=took)
 
 
 def test_every_rope_is_an_equilibrium_with_its_motif(pulled, record):
-    ropes = [outcome for outcomes in pulled for outcome in outcomes]
+    ropes = [pulled[0][0], *pulled[1]]
     assert max(column(ropes, WRONG_SIDE)) == 0
     took = sum(column(ropes, SECONDS))
-    of_all = "the ropes of R4 to R6:"
     record.check(
         "R6",
-        f"{of_all} {PENETRATION}",
+        f"ropes: {PENETRATION}",
         column(ropes, PENETRATION),
         0.0,
         0.02,
@@ -91,7 +89,7 @@ def test_every_rope_is_an_equilibrium_with_its_motif(pulled, record):
     )
     # Under the largest force: the elastic energy of a rope that is nearly slack is no measure.
     held = [curve.held[curve.force.argmax()] for curve in (curve_of(r.folder) for r in ropes)]
-    record.check("R6", f"{of_all} {HELD}", held, 0.0, 0.01, scale=1.0, seconds=took)
+    record.check("R6", f"ropes: {HELD}", held, 0.0, 0.01, scale=1.0, seconds=took)
 
 
 @pytest.mark.parametrize("name", PITCH)
