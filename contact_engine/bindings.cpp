@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
@@ -251,12 +252,13 @@ NB_MODULE(braidx_engine, m) {
     m.def(
         "adapt_stiffness",
         [](const OwnedSurfaces& surfaces, ContactElements& elements, const In<double>& q,
-           double tolerance, double growth, double elsewhere, int num_threads) {
+           double tolerance, double growth, double elsewhere, int num_threads,
+           const std::optional<In<bool>>& held) {
             return adapt_stiffness(surfaces, elements, view(q), tolerance, growth, elsewhere,
-                                   num_threads);
+                                   num_threads, held ? view(*held) : std::span<const bool>{});
         },
         "surfaces"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a, "elsewhere"_a = 0.0,
-        "num_threads"_a = 1, without_gil);
+        "num_threads"_a = 1, "held"_a = nb::none(), without_gil);
     m.def(
         "deepest_penetration",
         [](const OwnedSurfaces& surfaces, const ContactElements& elements, const In<double>& q,

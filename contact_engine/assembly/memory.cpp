@@ -3,6 +3,7 @@
 #include "../parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -57,12 +58,33 @@ namespace {
 constexpr double headroom = 1.6;
 /// Zones that come this close to the tolerance are raised with those beyond it.
 constexpr double soon = 0.6;
+/// Share of the derivative of the gap, as a square, that unknowns which can move have on one side
+/// at least where a penalty is of use.
+constexpr double movable = 0.75;
+
+bool can_open(const LocalSystem& system, std::span<const bool> held) {
+    std::array<double, 2> free{}, all{};
+    for (int i = 0; i < system.count; ++i)
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto n = static_cast<std::size_t>(i);
+            const double weight = system.gap_weight[n][axis];
+            const std::size_t side = system.of_b[n] ? 1 : 0;
+            all[side] += weight * weight;
+            if (!held[static_cast<std::size_t>(system.unknown[n] + axis)])
+                free[side] += weight * weight;
+        }
+    return free[0] > movable * all[0] || free[1] > movable * all[1];
+}
 
 } // namespace
 
 int adapt_stiffness(const DeformableSurfaces& surfaces, ContactElements& elements, Unknowns q,
-                    double tolerance, double growth, double elsewhere, int num_threads) {
-    const auto gap = gaps(surfaces, elements, q, num_threads);
+                    double tolerance, double growth, double elsewhere, int num_threads,
+                    std::span<const bool> held) {
+    const auto gap = parallel_map(elements.size(), num_threads, [&](std::size_t e) {
+        const LocalSystem system = local_system(surfaces, elements[e], q);
+        return held.empty() || can_open(system, held) ? system.gap : 0.0;
+    });
     std::unordered_map<std::int32_t, double> deepest;
     for (std::size_t e = 0; e < elements.size(); ++e) {
         auto& d = deepest[elements[e].zone];

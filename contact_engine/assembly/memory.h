@@ -17,8 +17,11 @@ Committed commit(const DeformableSurfaces& surfaces, ContactElements& elements, 
 /// Where a proximity zone penetrates deeper than `tolerance` (mm), penalties of all that do, or are
 /// about to, grow so that they will not, by `growth` at most. Returns the number of zones changed.
 /// `elsewhere`: deepest penetration of other processes, which count like one's own.
+/// `held`: of each unknown, whether it cannot move; empty: none. Elements both of whose sides are
+/// at held nodes do not count: no penalty would open them.
 int adapt_stiffness(const DeformableSurfaces& surfaces, ContactElements& elements, Unknowns q,
-                    double tolerance, double growth, double elsewhere = 0, int num_threads = 1);
+                    double tolerance, double growth, double elsewhere = 0, int num_threads = 1,
+                    std::span<const bool> held = {});
 
 /// Deepest penetration, mm, at least 0.
 double deepest_penetration(const DeformableSurfaces& surfaces, const ContactElements& elements,

@@ -17,8 +17,9 @@ from braidx.output.snapshot import Snapshot
 from braidx.processes import state as checkpoint
 from braidx.processes.bending.start import make_bent_rope
 from braidx.scene import Bend, Scene
-from rope_judge import work_of
-from rope_lines import deepest_overlap, half_widths, smooth, wrong_sides
+from lines import FINER, smooth
+from rope_lines import deepest_overlap, half_widths, wrong_sides
+from rope_work import work_of
 
 Floats = npt.NDArray[np.float64]
 
@@ -59,10 +60,11 @@ class BentRun:
         """Deepest overlap of two yarns, or of a yarn and the sheave, over their radius; not within the clamps."""
         radius, sheave = self.scene.yarn.radius, picture.sheave
         assert sheave is not None
-        lines = [smooth(line[1:-1], False) for line in picture.centre_lines]
+        inner = slice(FINER, -FINER)
+        lines = [smooth(line, False)[inner] for line in picture.centre_lines]
         pairs: Sequence[Floats | None] = picture.directors or [None] * len(lines)
         halves = [
-            half_widths(None if pair is None else pair[1:-1], len(line) - 2, radius)
+            half_widths(pair, len(line), radius)[inner]
             for pair, line in zip(pairs, picture.centre_lines, strict=True)
         ]
         deep = deepest_overlap(lines, halves, False, 0.0)

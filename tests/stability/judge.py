@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from braidx.rods import Beam, NotConverged, Rods
 from lines import centre_line, nearness, nearness_on_the_way
+from particles import apart
 
 Floats = npt.NDArray[np.float64]
 
@@ -161,11 +162,11 @@ class Watch:
         extent = max(float(np.ptp(rod.line, axis=0).max()) for rod in self.rods.rods)
         least = max(size, turning / extent, LEAST * self.rods.layout.round_off)
         self.force_error = max(self.force_error, force / least)
-        # Friction acts on both surfaces, which penetration keeps apart.
+        # Friction acts on particles of both surfaces, which are a little apart.
         touching = self.rods.contacts()
         friction = np.linalg.norm(touching["friction_force"], axis=1)
-        apart = float(friction @ np.abs(touching["gap"]))
-        self.moment_error = max(self.moment_error, max(0.0, moment - apart) / (least * extent))
+        couples = float(friction @ apart(self.rods, touching))
+        self.moment_error = max(self.moment_error, max(0.0, moment - couples) / (least * extent))
 
     def _check_distances(self) -> None:
         rods = self.rods

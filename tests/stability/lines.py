@@ -12,22 +12,40 @@ from braidx.rods import Rods
 
 Floats = npt.NDArray[np.float64]
 REACH = 1.2  # sums of radii: what is farther is not near
+FINER, POINTS = 6, 8  # points of a line per element of degree 1, and of degree 2
 SUBSTEPS = 16  # places on the way of an increment that are looked at
 
 
 def centre_line(nodes: Floats, degree: int) -> Floats:
-    """Points of a centre line, shape (n, 3), mm: a few per element, so that chords hardly cut corners.
+    """Points of a centre line, shape (n, 3), mm: so many per element that chords hardly cut corners of tight loops.
 
     Args:
         nodes: Shape (num_nodes, 3), mm.
-        degree: Of the elements between them.
+        degree: Of the elements between them; of degree 1, contact takes smooth lines through the nodes.
     """
     if degree == 1:
-        return nodes
+        return smooth(nodes, False)
     a, b, c = nodes[:-1:2], nodes[1::2], nodes[2::2]
-    s = np.array([0.0, 0.25, 0.5, 0.75])[:, None, None]
+    s = (np.arange(POINTS) / POINTS)[:, None, None]
     inner = (1 - s) * (1 - 2 * s) * a + 4 * s * (1 - s) * b + s * (2 * s - 1) * c
     return np.vstack([inner.transpose(1, 0, 2).reshape(-1, 3), nodes[-1:]])
+
+
+def smooth(line: Floats, goes_on: bool) -> Floats:
+    """Points of the Catmull-Rom spline through nodes of shape (n, 3), mm: what yarns are to contact (docs/theory.md).
+
+    Args:
+        goes_on: Whether the line repeats itself past its ends; else it goes on straight.
+    """
+    period = line[-1] - line[0]
+    before = line[-2] - period if goes_on else 2.0 * line[0] - line[1]
+    after = line[1] + period if goes_on else 2.0 * line[-1] - line[-2]
+    p = np.vstack([before, line, after])[:, None]
+    t = np.linspace(0.0, 1.0, FINER, endpoint=False)[:, None]
+    a, b, c, d = p[:-3], p[1:-2], p[2:-1], p[3:]
+    cubic = 2.0 * a - 5.0 * b + 4.0 * c - d, 3.0 * (b - c) + d - a
+    points = b + t / 2.0 * (c - a + t * (cubic[0] + t * cubic[1]))
+    return np.vstack([points.reshape(-1, 3), line[-1:]])
 
 
 def segment_distances(a: Floats, b: Floats, ends_a: Floats, ends_b: Floats) -> Floats:

@@ -20,7 +20,9 @@ from braidx.output.contact_table import YARN_CORE, ContactTable
 from braidx.processes import state as checkpoint
 from braidx.scene import Form, Scene, Settle
 from contact_work import contact_work
-from rope_lines import FINER, deepest_overlap, half_widths, smooth, windings, wrong_sides
+from lines import FINER, smooth
+from rope_lines import deepest_overlap, half_widths, windings, wrong_sides
+from rope_work import Taken
 from yarn_energy import Yarns
 
 Floats = npt.NDArray[np.float64]
@@ -97,20 +99,22 @@ class RopeRun:
     def _states(self, kind: str) -> list[Found]:
         states = []
         for path in sorted((self.folder / "snapshots").glob("*.npz")):
-            row = int(path.name.split("_")[0]) - 1
-            step = str(self.rows["step"][row]) if row >= 0 else "start"
-            forms = step.endswith("form")
+            row = row_of(path)
+            forms = row >= 0 and str(self.rows["step"][row]).endswith("form")
             if row < 0 or forms != (kind == "form") or (forms and "formed" not in path.name):
                 continue
-            picture = snapshot.load(path)
-            now = np.array([line[: self.nodes] for line in picture.centre_lines])
-            if picture.directors is not None:
-                g = [pair[: self.nodes].reshape(-1, 6) for pair in picture.directors]
-                now = np.concatenate([now, g], axis=2)
-            assert picture.contacts is not None
-            contacts = self._of_one(picture.contacts)
-            states.append(Found(picture.name, now, contacts, row, self.goes_on))
+            states.append(self._load(path))
         return states
+
+    def _load(self, path: Path) -> Found:
+        picture = snapshot.load(path)
+        now = np.array([line[: self.nodes] for line in picture.centre_lines])
+        if picture.directors is not None:
+            g = [pair[: self.nodes].reshape(-1, 6) for pair in picture.directors]
+            now = np.concatenate([now, g], axis=2)
+        assert picture.contacts is not None
+        contacts = self._of_one(picture.contacts)
+        return Found(picture.name, now, contacts, row_of(path), self.goes_on)
 
     def _of_one(self, table: ContactTable) -> ContactTable:
         count = len(table.gap) // self.copies
@@ -131,6 +135,14 @@ class RopeRun:
         inner = [line[cut : len(line) - cut] for line in lines]
         within = [half[cut : len(half) - cut] for half in halves]
         return deepest_overlap(inner, within, self.goes_on, found.length) / radius
+
+    def penetration(self, found: Found) -> float:
+        """Deepest of all contacts over the radius; not in the first and last elements of ends that are held."""
+        table, z = found.contacts, found.contacts.position[:, 2]
+        element = found.length / (self.nodes - 1)
+        low, high = found.now[:, 0, 2].mean() + element, found.now[:, -1, 2].mean() - element
+        inner = np.ones(len(z), bool) if self.goes_on else (z > low) & (z < high)
+        return -float(table.gap[inner].min(initial=0.0)) / self.scene.yarn.radius
 
     def wrong_sides(self, found: Found) -> int:
         """Crossings of yarns whose wrong one is outside, or that are not there, where that can be told."""
@@ -208,22 +220,41 @@ class RopeRun:
     def _step(self, found: Found) -> int:
         return int(str(self.rows["step"][found.row]).split()[0]) - 1
 
-    def lost(self, begin: Found, end: Found) -> float:
-        """Work from one state to another that is missing (positive) or made (negative), over the largest."""
-        rows, span = self.rows, slice(begin.row, end.row + 1)
-        strain = rows["rope strain (-)"][span].astype(float)
-        force = 1e3 * rows["force (kN)"][span].astype(float)
-        length = begin.length / (1.0 + strain[0]) * self.copies
-        work, unsure = work_of(force, strain * length)
-        elastic = self.elastic(begin), self.elastic(end)
-        spent = elastic[1] - elastic[0]
-        spent += float(np.diff(rows["friction work (mJ)"][span].astype(float)).sum())
-        spent += self.stabilisation(end) - self.stabilisation(begin)
-        stretch = end.length / begin.length
-        spent += self.copies * contact_work(self.scene, begin.contacts, end.contacts, stretch)
-        missing = work - spent
-        beyond = max(0.0, abs(missing) - unsure) * np.sign(missing)
-        return float(beyond / max(abs(work), abs(spent), *elastic))
+    def way(self, begin: Found, end: Found) -> list[Found]:
+        """All states that the run has kept from one to another."""
+        paths = sorted((self.folder / "states").glob("*.npz"))
+        between = [path for path in paths if begin.row < row_of(path) < end.row]
+        return [begin, *map(self._load, between), end]
+
+    def taken(self, begin: Found, end: Found) -> Taken:
+        """Where the work of pulling goes from one state to another."""
+        states = self.way(begin, end)
+        pairs = zip(states[:-1], states[1:], strict=True)
+        parts = np.array([self._taken(*pair) for pair in pairs])
+        sums = np.append(parts[:, :-1].sum(axis=0), parts[:, -1].max())
+        told = [float(self.rows["friction work (mJ)"][state.row]) for state in (begin, end)]
+        largest = max(abs(float(sums[0])), self.elastic(begin), self.elastic(end))
+        return Taken(*sums, told=told[1] - told[0], largest=largest)
+
+    def _taken(self, begin: Found, end: Found) -> Floats:
+        """Work of the rope's force, and what takes it, in the order of Taken, mJ."""
+        moved, states = end.now - begin.now, (begin, end)
+        strains = [float(self.rows["rope strain (-)"][state.row]) for state in states]
+        rest = begin.length * self.copies / (1.0 + strains[0])
+        pull = [self.force(state) * (strains[1] - strains[0]) * rest for state in states]
+        strain = [self.copies * self.yarns.work(state.now, moved) for state in states]
+        contacts = [(state.contacts, state.now) for state in states]
+        touch = self.copies * contact_work(contacts, moved, self.goes_on, self.scene.yarn.radius)
+        held = self.stabilisation(end) - self.stabilisation(begin)
+        springs = max(map(self._springs, states))
+        rub = touch[:, 1]
+        return np.array([np.mean(pull), np.mean(strain), touch[:, 0].mean(), *rub, held, springs])
+
+    def _springs(self, found: Found) -> float:
+        """Friction forces times the slip that is reversible, mJ."""
+        slip = self.scene.contact.reversible_slip * self.scene.yarn.radius
+        sizes = np.linalg.norm(found.contacts.friction_force, axis=1)
+        return self.copies * slip * float(sizes.sum())
 
     def gives_way(self, begin: Found, end: Found) -> bool:
         """Whether the force falls while the rope is pulled, or grows while it is let go: it snaps, and loses energy."""
@@ -237,14 +268,6 @@ class RopeRun:
         return share * self.elastic(found)
 
 
-def work_of(force: Floats, place: Floats) -> tuple[float, float]:
-    """Work of a force on the way from place to place, and what the trapezium rule may miss, by second differences.
-
-    Args:
-        force, place: Shape (n,), N and mm.
-    """
-    moved = np.diff(place)
-    bends = np.abs(np.diff(force, 2)) if len(force) > 2 else np.abs(np.diff(force))
-    bent = np.maximum(np.append(bends, 0.0), np.append(0.0, bends))[: len(moved)]
-    work = float((force[1:] + force[:-1]) / 2.0 @ moved)
-    return work, float(bent @ np.abs(moved)) / 6.0
+def row_of(path: Path) -> int:
+    """Row of the history that a snapshot belongs to; -1: the start."""
+    return int(path.name.split("_")[0]) - 1

@@ -8,27 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from braidx.geometry import Rope
-from lines import REACH, near_segments
+from lines import FINER, REACH, near_segments
 
 Floats = npt.NDArray[np.float64]
-FINER = 6  # points of a smooth line per element
-
-
-def smooth(line: Floats, goes_on: bool) -> Floats:
-    """Points of the Catmull-Rom spline through nodes of shape (n, 3), mm: what yarns are to contact (docs/theory.md).
-
-    Args:
-        goes_on: Whether the line repeats itself past its ends; else it goes on straight.
-    """
-    period = line[-1] - line[0]
-    before = line[-2] - period if goes_on else 2.0 * line[0] - line[1]
-    after = line[1] + period if goes_on else 2.0 * line[-1] - line[-2]
-    p = np.vstack([before, line, after])[:, None]
-    t = np.linspace(0.0, 1.0, FINER, endpoint=False)[:, None]
-    a, b, c, d = p[:-3], p[1:-2], p[2:-1], p[3:]
-    cubic = 2.0 * a - 5.0 * b + 4.0 * c - d, 3.0 * (b - c) + d - a
-    points = b + t / 2.0 * (c - a + t * (cubic[0] + t * cubic[1]))
-    return np.vstack([points.reshape(-1, 3), line[-1:]])
 
 
 def half_widths(directors: Floats | None, num_nodes: int, radius: float) -> Floats:

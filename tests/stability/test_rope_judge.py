@@ -16,10 +16,11 @@ from braidx.output.snapshot import Snapshot
 from braidx.scene import Scene
 from braidx.scene.build import scene_from_dict
 from judge import CONVERGED, WRONG, Outcome
+from rope_work import Taken
 from ropes import computed, judged
 from slack import braid
 
-QUIET = {"pictures": False, "fields": False}
+QUIET = {"pictures": False, "fields": False, "states": True}
 Right = tuple[Scene, Path]
 
 
@@ -102,6 +103,13 @@ def test_overlaps_that_are_not_told_are_found(right: Right, folder: Path) -> Non
 
     spoil_last(folder, thicker)
     assert "hidden overlap" in verdict(right, folder).why
+
+
+def test_friction_work_that_no_friction_did_is_found() -> None:
+    told = Taken(10.0, 5.0, 0.0, 4.0, 6.0, 0.0, 0.5, 5.0, 10.0)
+    assert told.lost == pytest.approx(0.0) and told.untold == 0.0
+    assert replace(told, told=8.5).untold == pytest.approx(0.2)
+    assert replace(told, told=2.5).untold == pytest.approx(-0.1)
 
 
 def test_windings_are_whole_numbers_and_change_by_passing() -> None:

@@ -35,12 +35,18 @@ class Yarns:
 
     def stretching_work(self, now: Floats, axis: int) -> float:
         """Derivative of the energy with an even stretch along x, y or z of all positions, directors kept, mJ."""
-        step = 1e-6
-        ends = []
-        for sign in (1.0, -1.0):
-            moved = now.copy()
-            moved[..., axis] *= 1.0 + sign * step
-            ends.append(self.energy(moved))
+        stretch = np.zeros_like(now)
+        stretch[..., axis] = now[..., axis]
+        return self.work(now, stretch, 1e-6)
+
+    def work(self, now: Floats, moved: Floats, step: float = 1e-4) -> float:
+        """Derivative of the energy along a motion, shape as `now`: what yarns take if their forces stay, mJ.
+
+        Args:
+            now, moved: Unknowns and their motion.
+            step: Of the central difference, over the motion.
+        """
+        ends = [self.energy(now + sign * step * moved) for sign in (1.0, -1.0)]
         return (ends[0] - ends[1]) / (2.0 * step)
 
     def tensions(self, now: Floats) -> Floats:

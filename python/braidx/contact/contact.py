@@ -145,22 +145,23 @@ class Contact:
             contact elements.
         """
         work, penetration = engine.commit(*self._at(q), self.num_threads)
-        self.start = (
-            q  # the slip of the increment is remembered now: forces at q stay what they are
-        )
+        # The slip of the increment is remembered now: forces at q stay what they are.
+        self.start = q
         return (
             self.comm.allreduce(work),
             self.comm.allreduce(penetration, op=MPI.MAX),
             self.comm.allreduce(len(self.elements)),
         )
 
-    def adapt_stiffness(self, q: Floats, tolerance: float, growth: float = 3.0) -> int:
-        """Raises penalties where penetration exceeds `tolerance` (mm); number of zones changed, all processes."""
-        deepest = 0.0
-        if (
-            self.comm.size > 1
-        ):  # whether zones near the tolerance are raised, too, is decided together
-            deepest = self.deepest_penetration(q)
+    def adapt_stiffness(
+        self, q: Floats, tolerance: float, growth: float = 3.0, held: Any = None
+    ) -> int:
+        """Raises penalties where penetration exceeds `tolerance` (mm); number of zones changed, all processes.
+
+        What touches between unknowns that are `held`, shape (num_unknowns,), is left as it is.
+        """
+        # Whether zones near the tolerance are raised, too, is decided together.
+        deepest = self.deepest_penetration(q) if self.comm.size > 1 else 0.0
         changed = engine.adapt_stiffness(
             self.surfaces,
             self.elements,
@@ -169,6 +170,7 @@ class Contact:
             growth,
             deepest,
             self.num_threads,
+            None if held is None or self.beyond else held,
         )
         return self.comm.allreduce(changed)
 

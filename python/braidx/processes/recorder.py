@@ -26,7 +26,7 @@ from .recorded import RecordedModel
 from .outcome import Outcome
 from .state import State
 
-SNAPSHOTS = "snapshots"
+SNAPSHOTS, STATES = "snapshots", "states"
 HELD = (
     0.05  # stabilisation's work over the energy above which results are those of its viscosity, too
 )
@@ -56,7 +56,8 @@ class Recorder:
         after = resumed.increment if resumed else None
         self._history = History(folder / "history.csv", after)
         self._series = paraview.Series(folder / "fields", after) if scene.output.fields else None
-        (folder / SNAPSHOTS).mkdir(exist_ok=True)
+        for kept in (SNAPSHOTS, STATES) if scene.output.states else (SNAPSHOTS,):
+            (folder / kept).mkdir(exist_ok=True)
         names = [f"{i + 1} {step.kind}" for i, step in enumerate(scene.steps)]
         self._progress = Progress(
             names, [WEIGHTS.get(step.kind, 20.0) for step in scene.steps], console
@@ -123,6 +124,8 @@ class Recorder:
             self._series.append(picture, state.increment)
         if picture is not None and outcome.snapshot:
             self._keep(picture, state.increment)
+        if picture is not None and self.scene.output.states:
+            self._keep(picture, state.increment, STATES)
 
     def checkpoint(self, state: State) -> None:
         """Writes the state to go on from."""
@@ -174,11 +177,11 @@ class Recorder:
 
     def _wanted(self, outcome: Outcome) -> bool:
         fields = self.scene.output.fields and outcome.state.increment % self.scene.output.every == 0
-        return fields or outcome.snapshot is not None
+        return fields or self.scene.output.states or outcome.snapshot is not None
 
-    def _keep(self, picture: Snapshot, increment: int) -> None:
+    def _keep(self, picture: Snapshot, increment: int, place: str = SNAPSHOTS) -> None:
         name = picture.name.replace(" ", "_").replace(",", "").replace("%", "percent")
-        snapshot.save(picture, self.folder / SNAPSHOTS / f"{increment:05d}_{name}.npz")
+        snapshot.save(picture, self.folder / place / f"{increment:05d}_{name}.npz")
 
 
 def start_snapshot(rope: Rope) -> Snapshot:

@@ -40,7 +40,6 @@ class Settler:
     def __init__(self, model: RopeModel, state: State, step: Settle) -> None:
         self.model, self.step = model, step
         self._puller = Puller(model, state)
-        self._puller.releases = False
         self._parallel = model.rope.num_yarns * model.scene.yarn.axial_stiffness
         self._wanted = 1e3 * step.force
         self._near = max(SETTLED * self._wanted, UNSTRETCHED * self._parallel)
@@ -57,6 +56,8 @@ class Settler:
         puller, number, increments = self._puller, self._number, self.step.increments
         # Groups of ends have half of the increments to get where they are wanted.
         share = puller.next_share(self.step, (increments + 1) // 2 - int(number["settled"]))
+        # A rope whose end has arrived creeps on by what the stabilisation holds back.
+        puller.releases = number["target"] == puller.strain and puller.calming <= 1.0
         attempt = puller.to(number["target"], share)
         number["settled"] += 1
         self._aim()

@@ -131,6 +131,10 @@ class OutputOptions(Table):
     pictures: bool = option(True, doc="Write the pictures.")
     fields: bool = option(True, doc="Write files for ParaView.")
     every: int = option(1, minimum=1, doc="Write fields every so many increments.")
+    states: bool = option(
+        False,
+        doc="Keep the state of every increment in states/, as those at the end of a stage are kept in snapshots/.",
+    )
 
 
 @dataclass(frozen=True)

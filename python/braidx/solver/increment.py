@@ -204,7 +204,8 @@ class Incrementer:
 
     def _raise_penalties(self, trial: Trial, penetration: float) -> None:
         """Makes zones stiffer that penetrate too deep; yarns will hardly move, so that sections may follow."""
-        trial.raised = self.contact.adapt_stiffness(trial.q, penetration, GROWTH)
+        held = self.newton.system.constraints.held
+        trial.raised = self.contact.adapt_stiffness(trial.q, penetration, GROWTH, held)
         if trial.raised:
             self._measure(trial)
 

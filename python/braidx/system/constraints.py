@@ -32,6 +32,11 @@ class ConstraintMap:
     test: sp.csr_matrix
     copies: Floats
 
+    @property
+    def held(self) -> npt.NDArray[np.bool_]:
+        """Whether each unknown cannot move, shape (num_unknowns,)."""
+        return np.asarray(np.diff(self.transform.indptr) == 0)
+
     def expand(self, free_values: Floats, constraint_values: Floats) -> Floats:
         """All unknowns q from the free ones p, shape (num_unknowns,)."""
         return self.transform @ free_values + self.closure @ constraint_values

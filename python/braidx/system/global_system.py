@@ -19,7 +19,8 @@ class GlobalSystem:
     Attributes:
         constraints: The current constraint map.
         constraint_values: Inhomogeneous values of the constraints, shape (num_unknowns,), mm.
-        term_norms: Norm of each term in the last residual, N, shape (num_terms,).
+        term_norms: Norm of each term in the last residual, N, shape (num_terms,). What bodies ask of supports counts,
+            for it tells how they are strained; what others do to unknowns that are held does not: nothing moves there.
         force_scale: Norm of the largest term of the last residual, N: what "small" is measured against.
     """
 
@@ -105,7 +106,9 @@ class GlobalSystem:
             term.add_residual(part)
         if self.comm.size > 1:
             self.comm.Allreduce(MPI.IN_PLACE, parts)
-        self.term_norms = np.sqrt(parts**2 @ self.constraints.copies)
+        bodies = np.array([isinstance(term, BodyTerm) for term in self.terms])
+        counted = np.where(bodies[:, None] | ~self.constraints.held, self.constraints.copies, 0.0)
+        self.term_norms = np.sqrt((parts**2 * counted).sum(axis=1))
         self.force_scale = float(self.term_norms.max())
         return parts.sum(axis=0)
 

@@ -1,6 +1,8 @@
 #include "assembly/memory.h"
 #include "support/contact.h"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch_test_macros.hpp>
 
 using namespace braidx;
@@ -137,6 +139,27 @@ TEST_CASE("penalties grow by zone until penetrations are tolerable", "[memory]")
     const double before = contact.elements[0].stiffness;
     CHECK(adapt(0.001, 3) == 2); // far too deep: by `growth` at most
     CHECK(std::abs(contact.elements[0].stiffness - 3 * before) < 1e-9);
+}
+
+TEST_CASE("penalties do not grow where nothing that touches can move", "[memory]") {
+    Contact contact = pressed_pair(); // 0.02 mm deep
+    const auto adapt = [&](int first, int last) {
+        std::array<bool, 12> held{};
+        std::fill(held.begin() + first, held.begin() + last, true);
+        auto elements = contact.elements;
+        return adapt_stiffness(contact.rods.tubes, elements, contact.rods.q, 0.015, 3, 0, 1, held);
+    };
+    CHECK(adapt(0, 0) == 1);
+    CHECK(adapt(0, 6) == 1); // b still can
+    CHECK(adapt(0, 12) == 0);
+    std::array<bool, 12> held{}; // the first nodes of both
+    for (const std::size_t i : {0U, 1U, 2U, 6U, 7U, 8U})
+        held[i] = true;
+    for (const double s : {0.1, 0.9}) {
+        contact.elements[0].s_a = contact.elements[0].s_b = s;
+        CHECK(adapt_stiffness(contact.rods.tubes, contact.elements, contact.rods.q, 0.015, 3, 0, 1,
+                              held) == (s > 0.5 ? 1 : 0));
+    }
 }
 
 TEST_CASE("any number of threads remembers the same", "[memory]") {

@@ -42,6 +42,14 @@ def test_the_last_state_is_kept(whole_run):
     assert {p.suffix for p in (whole_run.folder / "snapshots").iterdir()} == {".npz"}
 
 
+def test_every_state_is_kept_where_asked_for(run, tmp_path):
+    every = run(tmp_path / "every", "--set", "output.states=true")
+    rows = len(every.history["increment"])
+    kept = sorted((every.folder / "states").iterdir())
+    assert [int(path.name[:5]) for path in kept] == list(range(1, rows + 1))
+    assert snapshot.load(kept[-1]).contacts is not None
+
+
 @pytest.mark.skipif(shutil.which("mpirun") is None, reason="needs mpirun")
 def test_two_processes_find_what_one_does(run, whole_run, tmp_path):
     parallel = run(tmp_path / "parallel", ranks=2)
