@@ -51,3 +51,12 @@ def test_ropes_at_rest_do_not_creep(tmp_path: Path) -> None:
     assert not computed(scene, tmp_path / "rope")
     rows = history.read(tmp_path / "rope" / "history.csv")
     assert rows["stabilisation work share (-)"][-1] < 1e-3
+
+
+def test_penalties_that_are_no_match_for_the_tension_are_raised(tmp_path: Path) -> None:
+    """Strands that did not come apart stayed in each other for all of the increments that forming has."""
+    recipe = braid()
+    recipe["steps"] = [{**recipe["steps"][0], "penalty": 0.1, "gap_reduction": 2.0}]
+    scene = scene_from_dict(recipe, "rope")
+    create_folder(tmp_path / "rope", scene)
+    assert not computed(scene, tmp_path / "rope")

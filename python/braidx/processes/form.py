@@ -36,8 +36,9 @@ PRESS_ON = (
 )
 OPENING = 0.05  # growth of the bore's radius over that of a yarn, per increment, until
 RELEASED = 0.005  # the share of all normal forces that acts on the bore is smaller than this
-RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once stations are dense
+RAISE = 2.0  # factor on the penalty, every RAISE_EVERY increments once stations are dense, or without progress
 RAISE_EVERY = 4
+STUCK = 0.98  # share of the least penetration until now that an increment has to come below for progress
 COARSER = 2.0  # factor on the spacing of stations until then
 PASSING = (1e-2, 8)  # tolerance and iterations of Newton for states that are only passed through
 REST = 2  # increments that the rope is given to come to rest, with consistent pairs
@@ -100,6 +101,7 @@ class Former:
             "separated": 0.0,
             "penalty": step.penalty * step.tension / radius**2,
             "raised": 0.0,
+            "least": np.inf,
             "dense": 0.0,
             "pressed": 0.0,
             "opening": 0.0,
@@ -232,9 +234,10 @@ class Former:
         number["stiffening"] = 1.0
         if not number["separated"]:
             number["separated"] = float(self.model.wrong_side_crossings(increment.q) == 0)
+            self._raise_where_stuck(depth)
         elif not number["dense"]:
             number["dense"] = float(depth < DENSER)
-            number["raised"] = number["done"]
+            self._raise_where_stuck(depth)
         elif not number["open"] and self._keeps_lengths:
             number["open"] = float(self.model.contact.rigid_share(increment.q) < RELEASED)
             number["opening"] += OPENING * self._radius
@@ -243,7 +246,22 @@ class Former:
         elif depth < PRESSED:
             number["pressed"] = 1.0
             number["stiffening"] = PRESS_ON * max(1.0, increment.penetration / self._tolerance)
-        elif number["done"] - number["raised"] >= RAISE_EVERY:
+        else:
+            self._raise_at_times()
+
+    def _raise_where_stuck(self, depth: float) -> None:
+        """Raises the penalty where yarns do not come apart any more, being no match for the tension."""
+        number = self._number
+        if depth < STUCK * number["least"]:
+            number["least"], number["raised"] = depth, number["done"]
+        else:
+            self._raise_at_times()
+        if number["dense"]:
+            number["raised"] = number["done"]
+
+    def _raise_at_times(self) -> None:
+        number = self._number
+        if number["done"] - number["raised"] >= RAISE_EVERY:
             number["penalty"] *= RAISE
             number["raised"] = number["done"]
 

@@ -18,7 +18,7 @@ from ..system.proximal import ProximalTerm
 from ..system.terms import BodyTerm, Floats, LoadTerm, Term
 from .couples import CoupleTerm
 from .first_guess import FOLDED, FOLLOWED, follow_supports, refuse_folds
-from .folded import refuse_folded
+from .folded import refuse_folded, refuse_kinked
 from .held_ends import HeldEnds
 from .inertia import InertiaTerm
 from .layout import Layout
@@ -101,6 +101,7 @@ class Equilibria:
         try:
             found = self._solve(start, fitting, elements)
             refuse_folded(self._layout, found.q)
+            refuse_kinked(self._layout, found.q)
             if not leap:
                 refuse_passing(self._layout, self._contact, start, found.q)
         except Diverged:
