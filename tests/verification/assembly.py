@@ -13,7 +13,7 @@ from support import Floats
 from braidx.bodies import CurveBody, SolidBody
 from braidx.contact.contact import Contact
 from braidx.contact.skins import SkinLayout
-from braidx.contact.tubes import TubeLayout
+from braidx.contact.tubes import no_tubes
 from braidx.rods.surfaces import body_tubes
 from braidx.solver.increment import Increment, Incrementer, IncrementOptions
 from braidx.solver.newton import Newton, NewtonOptions
@@ -21,8 +21,6 @@ from braidx.system.constraints import Constraints
 from braidx.system.global_system import GlobalSystem
 from braidx.system.proximal import ProximalTerm
 from braidx.system.terms import BodyTerm, LoadTerm
-
-NO_TUBES = TubeLayout(*(np.empty(0, int),) * 4, np.empty(0), np.empty(0), np.empty(0, int))
 
 
 class Assembly:
@@ -64,7 +62,7 @@ class Assembly:
         self.q = np.concatenate([body.rest.ravel() for body in bodies])
         self.contact = Contact(
             MPI.COMM_SELF,
-            body_tubes(bodies[0], tube_radius) if tube_radius > 0.0 else NO_TUBES,
+            body_tubes(bodies[0], tube_radius) if tube_radius > 0.0 else no_tubes(),
             smooth=True,
             symmetric=False,
             skins=self._skins(skins, length, dense),

@@ -40,6 +40,12 @@ class TubeLayout:
     group: Ints | None = None
 
 
+def no_tubes() -> TubeLayout:
+    """Of scenes without cables and beams."""
+    none, nothing = np.empty(0, np.int64), np.empty(0)
+    return TubeLayout(none, none, none, none, nothing, nothing, none)
+
+
 def nodes_beyond(layout: TubeLayout) -> Beyond | None:
     """What contact sees past the ends of tubes of a periodic sample."""
     if not layout.beyond:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -49,12 +50,12 @@ class SolidSections:
 
     def constrain(self, constraints: Constraints) -> None:
         """Has ends lead their nodes, and sections between them follow theirs."""
-        for followers, leaders, factors in self._follow():
+        for followers, leaders, factors in self._follow:
             constraints.combine_each(followers, leaders, factors)
 
     def fold(self, forces: Floats) -> None:
         """Forces on what follows pass to what leads, in place, shape (num_unknowns,)."""
-        for followers, leaders, factors in self._follow():
+        for followers, leaders, factors in self._follow:
             np.add.at(forces, leaders, factors * forces[followers, None])
             forces[followers] = 0.0
 
@@ -76,6 +77,7 @@ class SolidSections:
         assert self.solid.section is not None
         return self.solid.section.points
 
+    @cached_property
     def _follow(self) -> list[Follow]:
         place: Floats = np.asarray(np.column_stack([np.ones(len(self.weights)), self._section()]))
         fit = np.asarray(np.linalg.solve(place.T * self.weights @ place, place.T * self.weights))

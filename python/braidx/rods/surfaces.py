@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ..bodies import CurveBody, SolidBody
 from ..contact.skins import SkinLayout
-from ..contact.tubes import TubeLayout
+from ..contact.tubes import TubeLayout, no_tubes
 from ..system.terms import Ints
 from .rod import Rod, Solid
 
@@ -28,7 +28,7 @@ def tubes_of(
             parts.append(body_tubes(body, [rods[i].radius for i in members], int(first)))
             order += members
     if not parts:
-        return TubeLayout(*(np.empty(0, int),) * 4, np.empty(0), np.empty(0), np.empty(0, int))
+        return no_tubes()
     return _joined(parts, np.array(order))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -32,10 +33,15 @@ class ConstraintMap:
     test: sp.csr_matrix
     copies: Floats
 
-    @property
+    @cached_property
     def held(self) -> npt.NDArray[np.bool_]:
         """Whether each unknown cannot move, shape (num_unknowns,)."""
         return np.asarray(np.diff(self.transform.indptr) == 0)
+
+    @cached_property
+    def moving_copies(self) -> Floats:
+        """`copies` of unknowns that can move, 0 of those that are held, shape (num_unknowns,)."""
+        return np.where(self.held, 0.0, self.copies)
 
     def expand(self, free_values: Floats, constraint_values: Floats) -> Floats:
         """All unknowns q from the free ones p, shape (num_unknowns,)."""

@@ -106,9 +106,9 @@ class GlobalSystem:
             term.add_residual(part)
         if self.comm.size > 1:
             self.comm.Allreduce(MPI.IN_PLACE, parts)
-        bodies = np.array([isinstance(term, BodyTerm) for term in self.terms])
-        counted = np.where(bodies[:, None] | ~self.constraints.held, self.constraints.copies, 0.0)
-        self.term_norms = np.sqrt((parts**2 * counted).sum(axis=1))
+        everywhere, moving = self.constraints.copies, self.constraints.moving_copies
+        counted = [everywhere if isinstance(term, BodyTerm) else moving for term in self.terms]
+        self.term_norms = np.sqrt([part**2 @ counts for part, counts in zip(parts, counted)])
         self.force_scale = float(self.term_norms.max())
         return parts.sum(axis=0)
 

@@ -10,11 +10,11 @@ from mpi4py import MPI
 
 from braidx.contact.contact import Contact
 from braidx.contact.skins import SkinLayout
-from braidx.contact.tubes import TubeLayout
+from braidx.contact.tubes import TubeLayout, no_tubes
 
 Array = np.ndarray[Any, Any]
 
-NO_TUBES = TubeLayout(*(np.empty(0, int),) * 4, np.empty(0), np.empty(0), np.empty(0, int))
+NO_TUBES = no_tubes()
 
 # Places of a facet's nodes in its square, in halves of its sides, in the order of DOLFINx.
 SQUARES = {

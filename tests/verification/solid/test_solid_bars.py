@@ -2,21 +2,16 @@
 
 import numpy as np
 import pytest
+from slender import ARC_TIP, ELASTICA, arc_of_45_degrees, circle, tip_of
 
 from braidx.meshing import rectangle, round_section
-from braidx.rods import Rods, Solid, YarnMaterial, arc, straight
+from braidx.rods import Rods, Solid, YarnMaterial, straight
 
 LENGTH, SIDE = 100.0, 1.0
 MODULUS = 1e3
 CELL = rectangle(SIDE, SIDE, degree=2)
-ELASTICA = np.array(  # P L^2 / EI = 1, 2, 5: shortening / L, deflection / L, angle of the tip (V2)
-    [
-        [0.0564332, 0.3017208, 0.4613519],
-        [0.1606417, 0.4934575, 0.7817498],
-        [0.3876284, 0.7137915, 1.2153681],
-    ]
-)
-ARC = np.array([-23.56024, -13.60452, 53.47486])  # V4
+LOADS = (1.0, 2.0, 5.0)  # P L^2 / EI
+TABLE = np.array([ELASTICA[load] for load in LOADS])
 
 
 def bar(section, num_elements, poisson=0.0, length=LENGTH, **options):
@@ -40,8 +35,8 @@ def rolled_up(section, num_elements):
     rods.solve(increments=8)
     s = np.linspace(0.0, LENGTH, rods.layout.num_nodes[0])
     radius = LENGTH / (2.0 * np.pi)
-    circle = radius * np.stack([np.sin(s / radius), 1.0 - np.cos(s / radius), 0.0 * s], axis=1)
-    return np.abs(rods.positions(0) - circle).max() / LENGTH, rods.q.size
+    exact = np.column_stack([circle(s, radius), 0.0 * s])
+    return np.abs(rods.positions(0) - exact).max() / LENGTH, rods.q.size
 
 
 @pytest.mark.parametrize(
@@ -56,15 +51,14 @@ def test_roll_up(record, degree, meshes, order, largest):
 
 
 def cantilever(slenderness, num_elements):
-    """Results as in ELASTICA."""
+    """Results as in TABLE."""
     rods, results, before = bar(CELL, num_elements, length=slenderness * SIDE), [], 0.0
     rods.clamp(0, 0)
     length = slenderness * SIDE
-    for load in (1.0, 2.0, 5.0):
+    for load in LOADS:
         rods.force(0, -1, (0.0, load * bending_stiffness(CELL) / length**2, 0.0))
         rods.solve(increments=round(load - before))
-        (x, y, _), ((along, across, _), _) = rods.positions(0)[-1], rods.directors(0)[-1]
-        results.append((1.0 - x / length, y / length, np.arctan2(-along, across)))
+        results.append(tip_of(rods, length))
         before = load
     return np.array(results), rods.q.size
 
@@ -72,30 +66,27 @@ def cantilever(slenderness, num_elements):
 def test_table(record):
     got, size = cantilever(200.0, 24)
     what = "cantilever of solids, L/d = 200"
-    record.check("V2", what, got, ELASTICA, 2e-4, scale=1.0, unknowns=size)
+    record.check("V2", what, got, TABLE, 2e-4, scale=1.0, unknowns=size)
 
 
 @pytest.mark.parametrize("slenderness, tolerance", [(10.0, 1e-2), (100.0, 5e-4), (1000.0, 5e-4)])
 def test_slenderness(record, slenderness, tolerance):
     got, size = cantilever(slenderness, 16)
     what = f"cantilever of solids, L/d = {slenderness:g}: table of V2"
-    record.check("V3", what, got, ELASTICA, tolerance, scale=1.0, unknowns=size)
+    record.check("V3", what, got, TABLE, tolerance, scale=1.0, unknowns=size)
 
 
 def test_curved_cantilever(record):
     """Sections of one cell cannot warp: their torsion constant is the polar moment, as the exact value assumes."""
-    line = arc(100.0, np.pi / 4.0, 32)
-    turn = np.linspace(0.0, np.pi / 4.0, len(line))
-    inward = np.stack([-np.sin(turn), np.cos(turn), 0.0 * turn], axis=1)
-    directors = np.stack([inward, np.tile([0.0, 0.0, 1.0], (len(line), 1))], axis=1)
+    line, directors = arc_of_45_degrees(32)
     material = YarnMaterial(1e7, 1e7, 0.5e7)
     rods = Rods([Solid(line, 0.5, material, CELL, directors)])
     rods.clamp(0, 0)
     rods.force(0, -1, (0.0, 0.0, 600.0))
     rods.solve(increments=6)
     moved = rods.positions(0)[-1] - line[-1]
-    what, scale = "45 degree arc of solids, load 600: tip", np.linalg.norm(ARC)
-    record.check("V4", what, moved, ARC, 1e-3, scale=scale, unknowns=rods.q.size)
+    what, scale = "45 degree arc of solids, load 600: tip", np.linalg.norm(ARC_TIP)
+    record.check("V4", what, moved, ARC_TIP, 1e-3, scale=scale, unknowns=rods.q.size)
 
 
 @pytest.mark.parametrize("poisson", [0.0, 0.3, 0.45])

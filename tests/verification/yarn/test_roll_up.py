@@ -2,18 +2,14 @@
 
 import numpy as np
 import pytest
+from slender import circle
 
 from braidx.rods import Beam, BeamSection, Rods, YarnMaterial, straight
 
 LENGTH, STIFFNESS = 1.0, 1.0
 MOMENT = 2.0 * np.pi * STIFFNESS / LENGTH
+RADIUS = STIFFNESS / MOMENT
 MATERIAL = YarnMaterial(1.0, 1.0, 0.5)
-
-
-def circle(s):
-    """Position at arc length s, shape (len(s), 2)."""
-    radius = STIFFNESS / MOMENT
-    return radius * np.stack([np.sin(s / radius), 1.0 - np.cos(s / radius)], axis=1)
 
 
 def roll_up(num_elements, degree, stiff):
@@ -37,7 +33,7 @@ def l2_error(x, num_elements, degree):
     for e in range(num_elements):
         axis = shape.T @ x[e * degree : (e + 1) * degree + 1, :2]
         s = element * (e + 0.5 + 0.5 * points)
-        total += 0.5 * element * weights @ np.sum((axis - circle(s)) ** 2, axis=1)
+        total += 0.5 * element * weights @ np.sum((axis - circle(s, RADIUS)) ** 2, axis=1)
     return np.sqrt(total)
 
 
@@ -56,5 +52,5 @@ def test_circle_is_closed(record):
     assert x[-1, 1] == pytest.approx(0.0, abs=1e-6)
     directors = rods.directors(0)
     assert directors[-1] == pytest.approx(directors[0], abs=1e-3)
-    exact = circle(np.linspace(0.0, LENGTH, len(x)))
+    exact = circle(np.linspace(0.0, LENGTH, len(x)), RADIUS)
     record.check("V1", "roll-up: nodes / L", x[:, :2], exact, 1e-4, scale=LENGTH, unknowns=unknowns)
