@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace braidx {
 namespace {
@@ -41,6 +43,39 @@ void face(const Tube& tube, Unknowns q, double s, const Vec3& direction, double 
         FacingParticle(tube, q, s, direction).place(tube.radius, inside, xi);
 }
 
+/// Where stations stand at a wall, s, and the length that each of them counts for, mm.
+struct WallStations {
+    std::vector<double> places;
+    double weight;
+};
+
+/// In the middles of cells that divide a tube evenly.
+WallStations middles(const Tube& tube, double spacing) {
+    const auto count = static_cast<std::int64_t>(std::ceil(tube.length() / spacing));
+    const double cell = tube.length() / static_cast<double>(count);
+    std::vector<double> places;
+    for (std::int64_t k = 0; k < count; ++k)
+        places.push_back((static_cast<double>(k) + 0.5) * cell / tube.element_length);
+    return {std::move(places), cell};
+}
+
+/// At the two points of Gauss of cells that divide elements evenly: the nodes of an element share a
+/// load that varies along it as its shape functions say.
+WallStations gauss_points(const Tube& tube, double spacing) {
+    constexpr double longer = 0.1; // share of a spacing that stations may be farther apart
+    const auto cells = std::max(1.0, std::ceil(0.5 * (tube.element_length / spacing - longer)));
+    std::vector<double> places;
+    for (double k = 0; k < cells * tube.num_elements; ++k)
+        for (const double side : {-1.0, 1.0})
+            places.push_back((k + 0.5 * (1 + side * std::numbers::inv_sqrt3)) / cells);
+    return {std::move(places), 0.5 * tube.element_length / cells};
+}
+
+/// Elements of degree 1 touch along curves through four nodes, which even loads out.
+WallStations wall_stations(const Tube& tube, double spacing) {
+    return tube.degree == 1 ? middles(tube, spacing) : gauss_points(tube, spacing);
+}
+
 } // namespace
 
 ContactElements Builder::zone(const ProximityZone& zone,
@@ -69,10 +104,9 @@ ContactElements Builder::zone(const ProximityZone& zone,
 ContactElements Builder::wall(std::int32_t a, const Rigid& rigid, std::int32_t number) const {
     const Tube& tube = surfaces_.tube(a);
     ContactElements out;
-    const auto count = static_cast<std::int64_t>(std::ceil(tube.length() / options_.spacing));
-    const double spacing = tube.length() / static_cast<double>(count);
-    for (std::int64_t k = 0; k < count; ++k) {
-        const double s = (static_cast<double>(k) + 0.5) * spacing / tube.element_length;
+    const auto stations = wall_stations(tube, options_.spacing);
+    for (std::int64_t k = 0; k < std::ssize(stations.places); ++k) {
+        const double s = stations.places[k];
         const Vec3 x = position(tube, q_, s);
         const auto wall = rigid.nearest(x);
         if ((x - wall.position).dot(wall.normal) > tube.radius + options_.search.margin)
@@ -84,7 +118,7 @@ ContactElements Builder::wall(std::int32_t a, const Rigid& rigid, std::int32_t n
                        .s_b = 0,
                        .station = k,
                        .normal = -wall.normal,
-                       .weight = spacing,
+                       .weight = stations.weight,
                        .stiffness = 0,
                        .wall = wall.position,
                        .wall_start = rigid.at_start(wall.position)});

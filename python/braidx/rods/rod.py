@@ -36,7 +36,7 @@ class Cable:
     radius: float
     axial_stiffness: float
     tension: float = 0.0
-    degree: int = 1
+    degree: int = 2
     density: float = 0.0
 
     @property

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from braidx.scene.bending import Bend, BendCycles, Straighten
+from braidx.scene.defaults import crossings, most_elements
 from braidx.scene.errors import SceneError
 from braidx.scene.steps import Cycle, Pull
 
@@ -52,10 +53,6 @@ BENT: Mapping[str, Choice] = {
     "1%": Choice(1, 10.0, 0.25, 0.0015, 0.417, 0.0093),
     "0.1%": Choice(1, 20.0, 0.25, 0.0015, 0.417, 0.0028),
 }
-APART = (
-    1 / 3
-)  # radii of a yarn between nodes at least: closer ones form other shapes, or do not come to rest
-EIGHTHS = 8  # of a lay: what stands for crossings where there are none
 
 
 def level_of(text: str) -> str:
@@ -87,7 +84,7 @@ def choice(scene: Scene, level: str) -> Choice:
 def options(scene: Scene, level: str) -> dict[str, Any]:
     """What the table has for a scene, by dotted key; steps go by number."""
     row = choice(scene, level)
-    most = int(scene.rope.pitch / (APART * scene.yarn.radius * row.degree))
+    most = most_elements(scene, row.degree)
     found = {
         "yarn.degree": row.degree,
         "yarn.elements_per_pitch": max(4, min(most, elements_of(scene, row))),
@@ -99,8 +96,7 @@ def options(scene: Scene, level: str) -> dict[str, Any]:
 
 def elements_of(scene: Scene, row: Choice) -> int:
     """Elements per pitch that a row asks for."""
-    crossings = EIGHTHS if scene.braid is None else sum(scene.braid.strands_per_direction)
-    return math.ceil(row.elements * crossings - 1e-9)
+    return math.ceil(row.elements * crossings(scene) - 1e-9)
 
 
 def _of_steps(scene: Scene, step: float) -> Iterator[tuple[str, Any]]:

@@ -96,8 +96,19 @@ class YarnModel(Table):
         choices=("as placed", "straight"),
         doc="Shape in which a beam is free of bending and torsion.",
     )
-    degree: int = option(1, choices=(1, 2), doc="Degree of the finite elements.")
-    elements_per_pitch: int = option(40, minimum=4, doc="Finite elements of a yarn per rope.pitch.")
+    # left out only until the scene is made, see defaults.py
+    degree: int = option(
+        None,
+        choices=(1, 2),
+        doc="Degree of the finite elements; left out: 2 of cables whose elements_per_pitch is left out, too, otherwise "
+        "1.",
+    )
+    elements_per_pitch: int = option(
+        None,
+        minimum=4,
+        doc="Finite elements of a yarn per rope.pitch; left out: 40 of degree 1, or three of degree 2 from crossing to "
+        "crossing (24 at least), but for nodes closer than two thirds of the radius.",
+    )
     material: str = option("", doc="Name of a [material.NAME] table whose values are taken over.")
     seeds: int = option(
         12, minimum=4, doc="Edges of elements round a solid yarn, a multiple of 4 (12 in paper 2)."

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from braidx.scene.core import Core
+from braidx.scene.defaults import with_depth, with_mesh
 from braidx.scene.ends import EndConditions
 from braidx.scene.errors import SceneError
 from braidx.scene.heat import Heat
@@ -24,7 +25,8 @@ from braidx.scene.step import Step
 
 @dataclass(frozen=True)
 class Scene:
-    """A rope, its model and its programme. Of a scene, rope.pitch is known, and agrees with the braid's angle.
+    """A rope, its model and its programme. Of a scene, rope.pitch is known, and agrees with the braid's angle; so is
+    what depends on other keys (defaults.py).
 
     Raises:
         SceneError: If the rope's type and its tables do not go together.
@@ -49,6 +51,8 @@ class Scene:
         pitch = resolved_pitch(self.rope, self.braid)
         self._check_type()
         object.__setattr__(self, "rope", replace(self.rope, pitch=pitch))
+        object.__setattr__(self, "yarn", with_mesh(self))
+        object.__setattr__(self, "contact", with_depth(self))
         check_bending(self)
 
     def _check_type(self) -> None:

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -151,6 +152,27 @@ TEST_CASE("a rod on a plane touches it along its length", "[pairing]") {
         length += e.weight;
     }
     CHECK(std::abs(length - 16) < 1e-9);
+}
+
+TEST_CASE("stations on a wall integrate cubics along elements of degree 2", "[pairing]") {
+    Rods rods;
+    rods.add_straight(quadratic_cable, 4, 1.0, {0, 0.99, 0}, {0, 0.99, 8});
+    const Rigid floor{Plane{{0, 0, 0}, {0, 1, 0}}, 5};
+    for (const double spacing : {1.0, 0.7, 0.5}) {
+        PairingOptions options;
+        options.spacing = spacing;
+        for (int power = 0; power <= 3; ++power) {
+            std::map<int, double> sums;
+            for (const auto& e :
+                 make_contact_elements({rods.tubes, {}, {floor}}, rods.q, {}, options)) {
+                const double whole = std::floor(e.s_a);
+                sums[static_cast<int>(whole)] += e.weight / 2 * std::pow(e.s_a - whole, power);
+            }
+            REQUIRE(sums.size() == 4);
+            for (const auto& [element, sum] : sums)
+                CHECK(std::abs(sum - 1.0 / (power + 1)) < 1e-14);
+        }
+    }
 }
 
 TEST_CASE("stacking order rules a crossing until it is separated, then geometry", "[pairing]") {

@@ -153,10 +153,10 @@ def test_a_scene_written_out_is_the_same_again(level, tmp_path):
     assert (followed(scene) is None) == (not level)
 
 
-def test_without_an_accuracy_all_is_as_ever():
-    data = tomllib.loads(ROPE)
-    assert scene_from_dict(data, "rope").yarn.elements_per_pitch == 40
-    assert scene_of(ROPE, "").steps[1].strain_increment == 0.001
+def test_without_an_accuracy_defaults_hold():
+    scene = scene_of(ROPE, "")
+    assert scene == scene_from_dict(tomllib.loads(ROPE), "rope")
+    assert scene.yarn.elements_per_pitch == 24 and scene.steps[1].strain_increment == 0.001
 
 
 @pytest.mark.parametrize("table", [PULLED, BENT])

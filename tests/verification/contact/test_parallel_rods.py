@@ -21,7 +21,7 @@ def pressed(num_elements, shift, load, beams=True):
         material = YarnMaterial.isotropic(1e4, 0.0)
         pair = [Beam(line, RADIUS, material, degree=1) for line in lines]
     else:
-        pair = [Cable(line, RADIUS, 1e4, tension=100.0) for line in lines]
+        pair = [Cable(line, RADIUS, 1e4, tension=100.0, degree=1) for line in lines]
     rods = Rods(pair, penalty=PENALTY, penetration=None, tolerance=1e-9)
     rods.hold(0)
     rods.hold(1, components=slice(1, None))
