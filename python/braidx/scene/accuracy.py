@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from braidx.scene.bending import Bend, BendCycles, Straighten
-from braidx.scene.defaults import crossings, most_elements
+from braidx.scene.defaults import crossings, is_bundled, most_elements
 from braidx.scene.errors import SceneError
 from braidx.scene.steps import Cycle, Pull
 
@@ -45,13 +45,13 @@ class Choice:
 # tests/benchmark/accuracy_cost, whose test compares these numbers with the measured ones.
 PULLED: Mapping[str, Choice] = {
     "5%": Choice(1, 2.0, 0.25, 0.015, 1e-3, 0.024),
-    "1%": Choice(1, 5.0, 0.25, 0.015, 1e-3, 0.0095),
-    "0.1%": Choice(1, 10.0, 0.25, 0.015, 1e-3, 0.0049),
+    "1%": Choice(2, 3.0, 0.25, 0.015, 1e-3, 0.00999),
+    "0.1%": Choice(1, 10.0, 0.25, 0.015, 1e-3, 0.0053),
 }
 BENT: Mapping[str, Choice] = {
-    "5%": Choice(1, 6.0, 0.25, 0.005, 0.417, 0.0355),
-    "1%": Choice(1, 10.0, 0.25, 0.0015, 0.417, 0.0093),
-    "0.1%": Choice(1, 20.0, 0.25, 0.0015, 0.417, 0.0028),
+    "5%": Choice(1, 6.0, 0.25, 0.005, 0.417, 0.0364),
+    "1%": Choice(1, 10.0, 0.25, 0.0015, 0.417, 0.0081),
+    "0.1%": Choice(1, 20.0, 0.25, 0.0015, 0.417, 0.0040),
 }
 
 
@@ -78,7 +78,9 @@ def fraction(level: str) -> float:
 def choice(scene: Scene, level: str) -> Choice:
     """The row of the table for a scene."""
     bends = any(isinstance(step, Bend) for step in scene.steps)
-    return (BENT if bends else PULLED)[level]
+    row = (BENT if bends else PULLED)[level]
+    # Bundles get as many nodes, of elements of degree 1.
+    return replace(row, degree=1, elements=row.degree * row.elements) if is_bundled(scene) else row
 
 
 def options(scene: Scene, level: str) -> dict[str, Any]:
@@ -130,7 +132,9 @@ def completed(scene: Scene, data: dict[str, Any]) -> dict[str, Any]:
         data: The tables; not changed.
     """
     tables = {name: _copy(table) for name, table in data.items()}
-    wanted, yarn = options(scene, scene.solver.accuracy), data["yarn"]
+    wanted, yarn = options(scene, scene.solver.accuracy), tables["yarn"]
+    if "elements_per_pitch" in yarn:
+        yarn.setdefault("degree", scene.yarn.degree)  # nodes stay as many as it states
     own = [yarn.get(name, wanted[f"yarn.{name}"]) for name in ("elements_per_pitch", "degree")]
     for name, value in attainable(scene, *own).items():
         *path, last = name.split(".")

@@ -21,9 +21,7 @@ ELEMENTS = 40  # straight ones per pitch
 BETWEEN = 3  # curved ones from crossing to crossing
 EIGHTHS = 8  # of a pitch: what stands for crossings where there are fewer
 APART = 1 / 3  # radii between nodes at least: closer ones form other shapes, or do not come to rest
-WIDE = (
-    2 / 3
-)  # the same where curved elements are chosen: with half a radius a braid did not come to rest
+WIDE = 2 / 3  # the same where curved ones are chosen: with half a radius a braid did not rest
 DEPTH, BENT_DEPTH = 0.015, 0.005  # penetrations allowed, over the radius
 SPANS = 6  # between nodes, from crossing to crossing, that yarns are kept apart to the smaller depth with
 
@@ -38,17 +36,28 @@ def most_elements(scene: Scene, degree: int, apart: float = APART) -> int:
     return max(4, int(scene.rope.pitch / (apart * scene.yarn.radius * degree)))
 
 
+def is_bundled(scene: Scene) -> bool:
+    """Whether yarns are braided in strands of several, which lie along each other and are pressed together.
+
+    Kinks between curved elements seem to hold the forming of such ropes up: 36 yarns took 15 times as long, 84 found no
+    shape.
+    """
+    return scene.braid is not None and sum(scene.strand.rings) > 1
+
+
 def with_mesh(scene: Scene) -> YarnModel:
     """The scene's yarns, divided.
 
-    Curved elements are better for cables, in stiffness and in what presses on them; beams that bend in contact do no
-    better with them. A scene that states a number of elements means straight ones: nodes are as many as it says.
+    Curved elements are better for cables that are not bundled, in stiffness and in what presses on them; beams that
+    bend in contact do no better with them. A scene that states a number of elements means straight ones: nodes are as
+    many as it says.
     """
     yarn = scene.yarn
     cables = {yarn.model, *yarn.models.values()} == {"cable"}
     degree, elements = yarn.degree, yarn.elements_per_pitch
     if degree is None:
-        degree = CURVED if cables and elements is None else STRAIGHT
+        curved = cables and elements is None and not is_bundled(scene)
+        degree = CURVED if curved else STRAIGHT
     if elements is None:
         wanted = BETWEEN * max(EIGHTHS, crossings(scene))
         elements = (

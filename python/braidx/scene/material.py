@@ -100,8 +100,8 @@ class YarnModel(Table):
     degree: int = option(
         None,
         choices=(1, 2),
-        doc="Degree of the finite elements; left out: 2 of cables whose elements_per_pitch is left out, too, otherwise "
-        "1.",
+        doc="Degree of the finite elements; left out: 2 of cables, but not in braids of strands of several yarns, and "
+        "not where elements_per_pitch is stated; otherwise 1.",
     )
     elements_per_pitch: int = option(
         None,

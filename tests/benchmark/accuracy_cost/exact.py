@@ -30,7 +30,7 @@ LOOSE = 1e-3  # bundle factor of the beams that stand for a cable
 
 def capstan(
     model: str = "cable",
-    degree: int = 1,
+    degree: int = 2,
     angle: float = 3.0,
     spacing: float | None = None,
     increments: int = 4,
@@ -67,9 +67,25 @@ def capstan(
         options |= {"penalty": 10.0, "penetration": penetration}
     with factors_of(solver):
         rods, end = capstan_case.slide(FRICTION, WRAP, angle, rod, ways, symmetrised, **options)
-        load, exact_load = capstan_case.line_loads(rods, margin=30)
+        load = typical(loads_over_exact(rods, leverage(model)))
         ratio = capstan_case.ratio_of_tensions(rods, end)
-    return {"T2 / T1": float(ratio), "line load": typical(load / exact_load)}
+    return {"T2 / T1": float(ratio), "line load": load}
+
+
+def loads_over_exact(rods: Rods, lever: float, margin: float = 30.0) -> Any:
+    """Line loads over those of Euler's formula at their places, T1 exp(mu theta) / R, but for degrees at either end."""
+    contacts = rods.contacts()
+    turned = np.arctan2(contacts["position"][:, 1], contacts["position"][:, 0])
+    inside = (turned > np.radians(margin)) & (turned < np.radians(WRAP - margin))
+    load = (contacts["normal_force"] / contacts["weight"])[inside]
+    tension = capstan_case.TENSION * np.exp(FRICTION * lever * turned[inside])
+    return load * (capstan_case.RADIUS + capstan_case.THIN) / tension
+
+
+def leverage(model: str) -> float:
+    """Arm of friction over that of the tension: friction of a beam acts on its surface, nearer to the drum's axis."""
+    thick = capstan_case.RADIUS / (capstan_case.RADIUS + capstan_case.THIN)
+    return thick if model == "beam" else 1.0
 
 
 def typical(shares: Any) -> float:
@@ -83,10 +99,9 @@ def worst(shares: Any) -> float:
 
 
 def capstan_exact(model: str = "cable", **options: Any) -> Values:
-    """Euler's formula; friction of a beam acts on its surface, which is nearer to the axis than its centre line."""
-    case = capstan_case
-    lever = case.RADIUS / (case.RADIUS + case.THIN) if model == "beam" else 1.0
-    return {"T2 / T1": float(np.exp(FRICTION * np.radians(WRAP) * lever)), "line load": 1.0}
+    """Euler's formula."""
+    turned = FRICTION * np.radians(WRAP) * leverage(model)
+    return {"T2 / T1": float(np.exp(turned)), "line load": 1.0}
 
 
 def fibres(
@@ -124,7 +139,7 @@ STIFFNESSES = ("K11", "K12", "K21", "K22")
 
 def strand(
     model: str = "cable",
-    degree: int = 1,
+    degree: int = 2,
     spans: int = 32,
     spacing: float | None = None,
     penalty: float | None = None,

@@ -58,7 +58,7 @@ NAMES = {  # options as the page calls them
     "symmetrised": "symmetric tangent",
     "solver": "factors by",
     "tolerance": "residual",
-    "angle": "degrees per element",
+    "angle": "degrees between nodes",
     "spans": "spans",
     "spacing": "station spacing",
     "penetration": "penetration",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import tempfile
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -23,30 +24,44 @@ from braidx.scene import Bend, Form, Scene, load_scene  # noqa: E402
 PULLED = ROOT / "demos" / "small_rope.toml"
 SLID, MEAN = "relative displacement (mm)", "mean_relative_displacement"
 QUIET = ("output.pictures=false", "output.fields=false")
-PER_PITCH = "yarn.elements_per_pitch=40"  # the default, which the scenes replace
-TRAVEL, BENT_RADIUS = 3.0, 0.6  # of the ends and of the yarns of the rope that is bent, mm
+TRAVEL = 3.0  # of the ends of the rope that is bent, mm
 
 
-def pulled(**options: Any) -> Values:
+def pulled(**options: Any) -> Scene:
     """The braid of eight yarns of demos/small_rope.toml, formed and pulled."""
-    return results(load_scene(PULLED, [*QUIET, PER_PITCH, *words(options)]))
+    return divided(load_scene(PULLED, [*QUIET, *words(options)]), options)
 
 
-def twelve(**options: Any) -> Values:
+def twelve(**options: Any) -> Scene:
     """Paper 1's rope with single yarns for its strands, twelve of them, one pitch."""
-    return results(scene_of(12, 1, [*QUIET, PER_PITCH, *words(options)]))
+    return divided(scene_of(12, 1, [*QUIET, *words(options)]), options)
 
 
-def bent(**options: Any) -> Values:
+def bent(**options: Any) -> Scene:
     """The smallest braid of the tests, four yarns about a core, two pitches, formed and bent."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "bent.toml"
         path.write_text(TINY, "utf-8")
-        travel = f"steps.bend.travel={TRAVEL}"
-        given = ["steps.bend.increments=30", travel, PER_PITCH, *words(options)]
+        given = ["steps.bend.increments=30", f"steps.bend.travel={TRAVEL}", *words(options)]
         scene = load_scene(path, [*QUIET, *given])
     steps = tuple(step for step in scene.steps if isinstance(step, (Form, Bend)))
-    return results(replace(scene, steps=steps, heat=None))
+    return divided(replace(scene, steps=steps, heat=None), options)
+
+
+def divided(scene: Scene, options: dict[str, Any]) -> Scene:
+    """The scene with the mesh and the penetration that options give, or else with the defaults, not with its own."""
+    yarn = {name: options.get(f"yarn__{name}") for name in ("degree", "elements_per_pitch")}
+    depth = options.get("contact__penetration_tolerance")
+    contact = replace(scene.contact, penetration_tolerance=depth)
+    return replace(scene, yarn=replace(scene.yarn, **yarn), contact=contact)
+
+
+SCENES = {"pulled": pulled, "twelve": twelve, "bent": bent}
+
+
+def computed(name: str) -> Callable[..., Values]:
+    """What computes a scene with options."""
+    return lambda **options: results(SCENES[name](**options))
 
 
 def words(options: dict[str, Any]) -> list[str]:

@@ -6,15 +6,16 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from bench import Bench, Outcome, error, load
-from ropes import BENT_RADIUS, TRAVEL
+from bench import Bench, error, load
+from ropes import SCENES
 from scenes import BENCHES, BENDING, CUTS, DEGREE, DEPTH, ELEMENTS, STEP
 
+from braidx.scene import Bend, Pull, Scene
 from braidx.scene.accuracy import BENT, LEVELS, PULLED, Choice, fraction
+from braidx.scene.defaults import crossings
 
 OPTIONS = {BENDING, CUTS, DEGREE, DEPTH, ELEMENTS, STEP}
 ROUND_OFF = 1e-9
-CROSSINGS = {"pulled": 8, "twelve": 12, "bent": 4}  # of a yarn per pitch
 MOST_NODES = {
     "pulled": 167,
     "twelve": 652,
@@ -28,9 +29,10 @@ respect, so that none is there by luck; the error is the largest of those runs (
 with nodes closer than a quarter of the yarn's radius are left aside. Where no options reach the level the row is the
 one with the smallest such error, and is marked. `--accuracy` takes these rows for what a scene leaves open, but no more
 elements than leave a third of a radius between nodes, and penetrations below the default only with elements as fine as
-the row's: coarser ones cannot be kept apart so well. Of a strand an eighth of a lay stands for the way from crossing to
-crossing. Errors are those of stiffness and diameter, or of the force on an end: friction work, and sliding as small as
-in the braid above, are less exact."""
+the row's: coarser ones cannot be kept apart so well. Braids of strands of several yarns get as many nodes of degree 1,
+and scenes that state their elements keep degree 1. Of a strand without a braid an eighth of a lay stands for the way
+from crossing to crossing. Errors are those of stiffness and diameter, or of the force on an end: friction work, and
+sliding as small as in the braid above, are less exact."""
 TABLES: Mapping[str, Mapping[str, Choice]] = {"pulled": PULLED, "bent": BENT}
 
 
@@ -76,28 +78,28 @@ def runs(bench: Bench) -> dict[tuple[float, ...], tuple[float, float]]:
     reference = bench.reference() if bench.reference is not None else {}
     for outcome in outcomes.values():
         options = outcome.options
-        nodes = options.get(DEGREE, 1) * options.get(ELEMENTS, 40)
-        compared = set(options) <= OPTIONS and options != reference
-        if compared and nodes <= MOST_NODES[bench.name] and not outcome.failure:
-            work = float(outcome.unknowns * outcome.iterations)
-            missed = error(bench, outcome, outcomes)
-            if math.isfinite(missed):
-                found[_row(bench, outcome)] = work, missed
+        if not set(options) <= OPTIONS or options == reference or outcome.failure:
+            continue
+        scene, missed = SCENES[bench.name](**options), error(bench, outcome, outcomes)
+        nodes = scene.yarn.degree * scene.yarn.elements_per_pitch
+        if nodes <= MOST_NODES[bench.name] and math.isfinite(missed):
+            found[_row(scene)] = float(outcome.unknowns * outcome.iterations), missed
     return found
 
 
-def _row(bench: Bench, outcome: Outcome) -> tuple[float, ...]:
+def _row(scene: Scene) -> tuple[float, ...]:
     """Options as the table has them, in the order of Choice."""
-    options = outcome.options
-    step = options.get(STEP, 1e-3)
-    if bench.name == "bent":
-        step = round(TRAVEL / options.get(BENDING, 30) / BENT_RADIUS, 3)
+    (step,) = (each for each in scene.steps if isinstance(each, (Pull, Bend)))
     return (
-        options.get(DEGREE, 1),
-        options.get(ELEMENTS, 40) / CROSSINGS[bench.name],
-        options.get(CUTS, 0.25),
-        options.get(DEPTH, 0.015),
-        step,
+        scene.yarn.degree,
+        scene.yarn.elements_per_pitch / crossings(scene),
+        scene.contact.station_spacing,
+        scene.contact.penetration_tolerance,
+        (
+            step.strain_increment
+            if isinstance(step, Pull)
+            else round(step.travel / step.increments / scene.yarn.radius, 3)
+        ),
     )
 
 

@@ -31,18 +31,18 @@ def capstan() -> Bench:
     return Bench(
         "capstan",
         "A cable round a cylinder",
-        """C3: a cable slides half a turn round a cylinder, friction 0.2. Numbers at points are degrees per element.
-        Error of the ratio of its tensions against Euler's formula, and of its line load against T / R (root mean
-        square).""",
+        """C3: a cable slides half a turn round a cylinder, friction 0.2. Numbers at points are degrees between nodes.
+        Error of the ratio of its tensions, and of its line load T / R (root mean square), against Euler's
+        formula.""",
         exact.capstan,
         ("T2 / T1", "line load"),
         (
-            sweep("cable, degree 1", "angle", angles, "{:g}°"),
-            sweep("cable, degree 2", "angle", angles, "{:g}°", degree=2),
-            sweep("beam, degree 1", "angle", (18.0, 6.0, None, 1.5), "{:g}°", model="beam"),
+            sweep("cable, degree 1", "angle", (18.0, 9.0, 6.0, 3.0, 1.5, 0.75), "{:g}°", degree=1),
+            sweep("cable, degree 2", "angle", angles, "{:g}°"),
             sweep(
-                "beam, degree 2", "angle", (18.0, 6.0, None, 1.5), "{:g}°", model="beam", degree=2
+                "beam, degree 1", "angle", (18.0, 6.0, 3.0, 1.5), "{:g}°", model="beam", degree=1
             ),
+            sweep("beam, degree 2", "angle", (18.0, 6.0, None, 1.5), "{:g}°", model="beam"),
             sweep("station spacing", "spacing", (1.0, 0.5, 0.25, 0.1, 0.05), "{:g}"),
             sweep("increments", "increments", (1, 2, None, 16, 64)),
             sweep("penetration", "penetration", (0.3, 0.1, 0.03, 0.01, 0.003), "{:g} r"),
@@ -77,7 +77,7 @@ def strand() -> Bench:
     spans, penalties = (4, 8, 16, None, 64), (1e2, 3e2, 1e3, 3e3, 1e4, 1e5, 1e6)
     penetrations = Sweep(
         "penetration",
-        tuple({"degree": 2, "penalty": penalty} for penalty in penalties),
+        tuple({"penalty": penalty} for penalty in penalties),
         tuple(f"{exact.strand_depth(penalty):.1g} r" for penalty in penalties),
     )
     return Bench(
@@ -88,11 +88,11 @@ def strand() -> Bench:
         exact.strand,
         exact.STIFFNESSES,
         (
-            sweep("cable, degree 1", "spans", spans),
-            sweep("cable, degree 2", "spans", spans, degree=2),
-            sweep("beam, degree 1", "spans", (8, 16, None, 64), model="beam"),
-            sweep("beam, degree 2", "spans", (8, 16, None, 64), model="beam", degree=2),
-            sweep("station spacing", "spacing", (1.0, 0.5, 0.25, 0.1), "{:g}", degree=2),
+            sweep("cable, degree 1", "spans", (4, 8, 16, 32, 64), degree=1),
+            sweep("cable, degree 2", "spans", spans),
+            sweep("beam, degree 1", "spans", (8, 16, 32, 64), model="beam", degree=1),
+            sweep("beam, degree 2", "spans", (8, 16, None, 64), model="beam"),
+            sweep("station spacing", "spacing", (1.0, 0.5, 0.25, 0.1), "{:g}"),
             penetrations,
             sweep("Cholesky by", "solver", CHOLESKY),
         ),
@@ -133,10 +133,17 @@ CUTS, STEP = "contact__station_spacing", "steps__pull__strain_increment"
 DEPTH, BENDING = "contact__penetration_tolerance", "steps__bend__increments"
 
 
+def meshes(title: str, degree: int, counts: tuple[int | None, ...], **base: Any) -> Sweep:
+    """Runs that differ in the elements per pitch; None is the scene's own mesh."""
+    given = {DEGREE: degree, **base}
+    options = tuple(base if count is None else {**given, ELEMENTS: count} for count in counts)
+    return Sweep(title, options, tuple(str(count or "default") for count in counts))
+
+
 def pulled_reference(yarn__model: str = "cable", **options: Any) -> dict[str, Any]:
     """The finest run of the same model."""
     if yarn__model == "beam":
-        return {MODEL: "beam", ELEMENTS: 80, DEPTH: 0.005}
+        return {MODEL: "beam", DEGREE: 1, ELEMENTS: 80, DEPTH: 0.005}
     return {DEGREE: 2, ELEMENTS: 60, **FINE}
 
 
@@ -147,15 +154,16 @@ def pulled() -> Bench:
         """The rope of `demos/small_rope.toml`, eight yarns braided 1-over 1-under, eight crossings per pitch: formed,
         settled, pulled to 5 kN. Error of its axial stiffness and of its diameter when loaded, the larger of the
         two, against the finest run of the same model of yarns.""",
-        ropes.pulled,
+        ropes.computed("pulled"),
         ("rope_axial_stiffness", "outer_diameter_loaded"),
         (
-            sweep("cable, degree 1", ELEMENTS, (12, 16, 24, None, 80, 120)),
-            sweep("cable, degree 2", ELEMENTS, (8, 12, 20, 40), **{DEGREE: 2}),
-            sweep("beam, degree 1", ELEMENTS, (16, 24, None, 60), **{MODEL: "beam"}),
-            sweep("beam, degree 2", ELEMENTS, (12, 20), **{MODEL: "beam", DEGREE: 2}),
-            sweep("degree 2, 0.005 r deep", ELEMENTS, (12, 20, 28), **{DEGREE: 2, DEPTH: 0.005}),
-            sweep("degree 2, 0.0015 r deep", ELEMENTS, (12, 20, 28), **{DEGREE: 2, **FINE}),
+            meshes("cable, degree 1", 1, (12, 16, 24, 40, 80, 120)),
+            meshes("cable, degree 2", 2, (8, 12, 20, None, 28, 40)),
+            meshes("beam, degree 1", 1, (16, 24, None, 60), **{MODEL: "beam"}),
+            meshes("beam, degree 2", 2, (12, 20), **{MODEL: "beam"}),
+            meshes("degree 1, 0.005 r deep", 1, (24, 40), **{DEPTH: 0.005}),
+            meshes("degree 2, 0.005 r deep", 2, (12, 20, None, 28), **{DEPTH: 0.005}),
+            meshes("degree 2, 0.0015 r deep", 2, (12, 20, None, 28), **FINE),
             sweep("station spacing", CUTS, (1.0, 0.5, None, 0.1)),
             sweep("penetration", DEPTH, (0.05, None, 0.005, 0.0015), "{:g} r"),
             sweep("increments of strain", STEP, (0.004, 0.002, None, 0.0005), "{:g}"),
@@ -173,21 +181,20 @@ def twelve_reference(**options: Any) -> dict[str, Any]:
 
 
 def twelve() -> Bench:
-    second = {DEGREE: 2}
     return Bench(
         "twelve",
         "Paper 1's braid with single yarns",
         """Twelve yarns, 2-over 2-under, twelve crossings per pitch, formed, settled and pulled to the stress of the
         rope of 84 yarns at 70 kN. Error of its axial stiffness and of its diameter when loaded, the larger of the two,
         against the finest run.""",
-        ropes.twelve,
+        ropes.computed("twelve"),
         ("rope_axial_stiffness", "outer_diameter_loaded"),
         (
-            sweep("cable, degree 1", ELEMENTS, (24, 36, None, 60, 120)),
-            sweep("cable, degree 2", ELEMENTS, (18, 30, 42), **second),
-            sweep("degree 1, 0.005 r deep", ELEMENTS, (36, 60), **{DEPTH: 0.005}),
-            sweep("degree 2, 0.005 r deep", ELEMENTS, (30, 42), **second, **{DEPTH: 0.005}),
-            sweep("degree 2, 0.0015 r deep", ELEMENTS, (30, 42), **second, **FINE),
+            meshes("cable, degree 1", 1, (24, 36, 60, 120)),
+            meshes("cable, degree 2", 2, (18, 30, None, 42)),
+            meshes("degree 1, 0.005 r deep", 1, (36, 60), **{DEPTH: 0.005}),
+            meshes("degree 2, 0.005 r deep", 2, (30, None, 42), **{DEPTH: 0.005}),
+            meshes("degree 2, 0.0015 r deep", 2, (30, None, 42), **FINE),
             sweep("station spacing", CUTS, (1.0, None)),
         ),
         reference=twelve_reference,
@@ -195,13 +202,9 @@ def twelve() -> Bench:
 
 
 TWELVE = {BENDING: 12}  # increments of runs that compare other things
-QUICK = {BENDING: 12, ELEMENTS: 16}
-DEEP = (  # degrees, elements per pitch and depths of runs that rows of the table may be
-    (1, (16, 24, 80), 0.005),
-    (2, (12, 20, 48), 0.005),
-    (1, (80, 120), 0.0015),
-    (2, (12, 20), 0.0015),
-)
+DEEP = {**TWELVE, DEPTH: 0.015}
+SHALLOW = {**TWELVE, DEPTH: 0.005}
+QUICK = {**DEEP, DEGREE: 1, ELEMENTS: 16}
 SOLID = {**QUICK, "yarn__seeds": 8}
 
 
@@ -224,23 +227,16 @@ def bent() -> Bench:
         """The smallest braid of the tests: four yarns about a core, two pitches of 17 mm, four crossings per pitch,
         formed and bent over a sheave of 20 mm by ends that travel by 3 mm, five radii of a yarn. Error of the force on
         an end against the finest run of beams.""",
-        ropes.bent,
+        ropes.computed("bent"),
         ("end_force",),
         (
-            sweep("beam, degree 1", ELEMENTS, (16, 24, None), **TWELVE),
-            sweep("penetration", DEPTH, (0.05, None, 0.005, 0.0015, 0.0005), "{:g} r", **TWELVE),
-            sweep("beam, degree 2", ELEMENTS, (12, 20), **TWELVE, **{DEGREE: 2}),
-            *(
-                sweep(
-                    f"degree {d}, {deep:g} r deep",
-                    ELEMENTS,
-                    counts,
-                    **TWELVE,
-                    **({DEGREE: d} if d > 1 else {}),
-                    **{DEPTH: deep},
-                )
-                for d, counts, deep in DEEP
-            ),
+            meshes("degree 1, 0.015 r deep", 1, (16, 24, None), **DEEP),
+            meshes("degree 1, 0.005 r deep", 1, (16, 24, None, 80), **SHALLOW),
+            meshes("degree 1, 0.0015 r deep", 1, (None, 80, 120), **TWELVE, **FINE),
+            meshes("degree 2, 0.015 r deep", 2, (12, 20), **DEEP),
+            meshes("degree 2, 0.005 r deep", 2, (12, 20, 48), **SHALLOW),
+            meshes("degree 2, 0.0015 r deep", 2, (12, 20), **TWELVE, **FINE),
+            sweep("penetration", DEPTH, (0.05, 0.015, 0.005, 0.0015, 0.0005), "{:g} r", **TWELVE),
             sweep("cable", MODEL, ("cable",), **QUICK),
             sweep("increments", BENDING, (3, 6, 12, None)),
             sweep("station spacing", CUTS, (1.0, None, 0.1), **TWELVE),

@@ -93,12 +93,13 @@ def test_what_a_scene_states_stays():
     assert scene.steps[1].strain_increment == 0.004
     kept = followed(scene)
     stated = {
+        "yarn.degree": 1,
         "yarn.elements_per_pitch": 99,
         "contact.station_spacing": 0.7,
         "steps.1.strain_increment": 0.004,
     }
     assert kept.stated == stated
-    assert kept.chosen.keys() == {"yarn.degree", "contact.penetration_tolerance"}
+    assert kept.chosen.keys() == {"contact.penetration_tolerance"}
 
 
 def test_coarse_elements_keep_the_penetration_that_they_can_be_kept_apart_to():
@@ -141,6 +142,13 @@ def test_a_strand_is_divided_by_its_lay():
     strand = '[rope]\ntype = "strand"\npitch = 66.0\n[yarn]\nradius = 0.86\n'
     wanted = options(scene_of(strand, "5%"), "5%")["yarn.elements_per_pitch"]
     assert wanted == pytest.approx(8 * PULLED["5%"].elements, abs=1)
+
+
+def test_bundles_of_yarns_have_as_many_nodes_of_degree_1():
+    scene, row = scene_of(ROPE + "[strand]\nrings = [3]\n", "1%"), PULLED["1%"]
+    assert row.degree == 2 and scene.yarn.degree == 1
+    assert scene.yarn.elements_per_pitch == 2 * 8 * row.elements
+    assert followed(scene).stated == {}
 
 
 @pytest.mark.parametrize("level", ["", *LEVELS])

@@ -66,6 +66,11 @@ def test_curved_elements_go_by_crossings():
     assert mesh(STRAND) == (2, 24)
 
 
+def test_bundles_of_yarns_have_straight_elements():
+    assert mesh(ROPE + "[strand]\nrings = [3]\n") == (1, 40)
+    assert mesh(STRAND + "[strand]\nrings = [1, 6]\n") == (2, 24)
+
+
 def test_nodes_of_curved_elements_stay_two_thirds_of_a_radius_apart():
     assert mesh(ROPE.replace("0.86", "1.35").replace("[4, 4]", "[6, 6]")) == (2, 20)
 
