@@ -42,7 +42,8 @@ def pull(model: RopeModel, state: State, step: Pull) -> Iterator[Outcome]:
     start, end = puller.strain, step.to_strain
     size = puller.state.progress.get("size", step.strain_increment)
     while abs(end - puller.strain) > 1e-12:
-        attempt = puller.to(puller.strain + np.clip(end - puller.strain, -size, size))
+        aim = puller.strain + np.clip(end - puller.strain, -size, size)
+        attempt = puller.to(aim, part=size / step.strain_increment)
         size = _next_size(size, attempt, step.strain_increment)
         puller.state = replace(puller.state, progress={**puller.state.progress, "size": size})
         last = abs(end - puller.strain) <= 1e-12
@@ -80,7 +81,7 @@ def _to_force(puller: Puller, target: float, nominal: float, name: str) -> Itera
     while True:
         wanted = (target - force) / slope if slope > 0 else sign * size
         before = puller.strain
-        attempt = puller.to(before + float(np.clip(wanted, -size, size)))
+        attempt = puller.to(before + float(np.clip(wanted, -size, size)), part=size / nominal)
         change, force = puller.force() - force, puller.force()
         moved = puller.strain - before
         # A rope that slips in a small increment has not lost its stiffness: the next is longer, but not a whole one.

@@ -53,12 +53,14 @@ class Puller:
         self._options = IncrementOptions(penetration=penetration)
         self._bent = BENT * model.rope.radius.min()
 
-    def to(self, strain: float, share: float | None = None) -> Attempt:
+    def to(self, strain: float, share: float | None = None, part: float = 1.0) -> Attempt:
         """Solves for a strain, or for one on the way there if that increment has to be cut.
 
         Args:
             strain: Rope strain.
             share: How much is then reached of what groups of ends ask for; as much as now by default.
+            part: Of the increment that the step asks for, which may have been cut before. Small parts may be halved
+                less often: those that are halved time after time go nowhere, and never end.
         Raises:
             NotConverged: If the smallest increment fails too.
         """
@@ -72,12 +74,16 @@ class Puller:
         done = attempt(
             solve,
             lambda fraction: f"strain {self.strain + fraction * step:.5f}",
-            self.model.scene.solver.max_cuts,
+            self._cuts_left(part),
             lambda fraction, failure: self._give_up(self.strain + fraction * step, failure),
         )
         part = done.fraction
         self._take(done.increment, self.strain + part * step, self.share + part * growth)
         return done
+
+    def _cuts_left(self, part: float) -> int:
+        most = self.model.scene.solver.max_cuts
+        return int(np.clip(2 * most + np.log2(part), 0, most))
 
     def _stabilise(self, cuts: int) -> None:
         """Less at small tensions, which it must not outweigh; fourfold with every cut, since smaller steps alone

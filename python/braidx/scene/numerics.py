@@ -83,7 +83,11 @@ class SolverOptions(Table):
         doc="Residual at which an equilibrium is accepted, relative to the forces in play.",
     )
     max_iterations: int = option(25, minimum=1, doc="Newton iterations before an increment is cut.")
-    max_cuts: int = option(8, minimum=0, doc="Halvings of an increment before the run gives up.")
+    max_cuts: int = option(
+        8,
+        minimum=0,
+        doc="Halvings of an increment before the run gives up; twice as many in a row.",
+    )
     tangent: str = option(
         "consistent",
         choices=("symmetric", "consistent"),

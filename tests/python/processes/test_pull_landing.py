@@ -6,6 +6,10 @@ from types import SimpleNamespace
 import pytest
 
 from braidx.processes import pull
+from braidx.processes.outcome import NotConverged
+from braidx.processes.puller import Puller
+from braidx.scene import Pull
+from braidx.solver.increment import Diverged
 
 STIFFNESS = 1e7  # N
 
@@ -28,7 +32,7 @@ class Slipping:
     def force(self):
         return STIFFNESS * self.strain - self.lost
 
-    def to(self, strain):
+    def to(self, strain, part=1.0):
         self.strain = strain
         self.done += 1
         self.lost += self.slips.get(self.done, 0.0)
@@ -49,3 +53,39 @@ def test_a_force_is_met_by_a_rope_that_slips(slips, sense, monkeypatch):
     missed = pull.LANDING * abs(target) + 0.5 * sum(map(abs, slips.values()))
     assert name == "70 kN" and abs(force - target) <= missed
     assert 7 <= len(found) <= 7 + 3 * len(slips)
+
+
+class Stuck(Puller):
+    """A rope that has no equilibrium beyond a strain: what goes less than half of the way there is found."""
+
+    def __init__(self, end, max_cuts):
+        solver = SimpleNamespace(max_cuts=max_cuts)
+        self.model = SimpleNamespace(scene=SimpleNamespace(solver=solver))
+        self.strain, self.share, self.end, self.state = 0.0, 0.0, end, State()
+
+    def _stabilise(self, cuts):
+        pass
+
+    def _increment(self, strain, share):
+        if strain > (self.strain + self.end) / 2.0:
+            raise Diverged("no equilibrium", 1, 1)
+        return SimpleNamespace(iterations=1, linear_solves=1)
+
+    def _take(self, increment, strain, share):
+        self.strain = strain
+
+    def _give_up(self, strain, failure):
+        return NotConverged(f"stuck at {strain}")
+
+
+@pytest.mark.parametrize("max_cuts", [2, 4, 8])
+def test_increments_that_are_halved_again_and_again_end(max_cuts, monkeypatch):
+    """A braid that was pushed crept towards a strain that it never came to, in ever smaller increments."""
+    monkeypatch.setattr(pull, "Puller", lambda model, state: state)
+    monkeypatch.setattr(pull, "outcome", lambda puller, *rest: puller.strain)
+    stuck, found = Stuck(0.7e-3, max_cuts), []
+    with pytest.raises(NotConverged):
+        for strain in pull.pull(None, stuck, Pull(to_strain=0.01, strain_increment=1e-3)):
+            found.append(strain)
+    assert len(found) <= 6 * max_cuts
+    assert 0.7e-3 - stuck.strain < 1e-3 / 2 ** (max_cuts - 1)
