@@ -28,7 +28,7 @@ RADIUS, LENGTH, STIFFNESS, TENSION, FRICTION = 0.5, 150.0, 1000.0, 1.0, 0.2  # m
 FIT = 1.01  # distance of neighbours over their diameter
 AXIS = np.array([0.0, 0.0, 1.0])
 SCENES = [(7, 40, 4.0), (19, 40, 2.0), (19, 80, 4.0)]  # fibres, spans, turns
-PEER = {(7, 40): "3.1 s", (19, 40): "6.5 s", (19, 80): "stalls"}
+PEER = {(7, 40): 3.1, (19, 40): 6.5}  # seconds of the peer, which stalls on the third
 
 
 def hexagonal(count: int) -> Floats:
@@ -174,9 +174,10 @@ def main() -> None:
         o = twist(rods, turns, words.increments)
         outcomes.append(o)
         tension, torque = o.curve[-1, 1:] / helices(turns, o.radii)
+        peer = f"{PEER[fibres, spans]} s" if (fibres, spans) in PEER else "stalls"
         print(
             f"| {fibres} x {spans} | {turns:g} | {o.unknowns} | {tension:.3f} | {torque:.3f} | {o.iterations} "
-            f"| {o.updates} | {o.seconds:.1f} | {o.megabytes:.0f} | {PEER[fibres, spans]} |",
+            f"| {o.updates} | {o.seconds:.1f} | {o.megabytes:.0f} | {peer} |",
             flush=True,
         )
     if words.figure:
