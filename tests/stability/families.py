@@ -5,8 +5,10 @@ from __future__ import annotations
 import birdcage
 import crossing_angle
 import ends
+import forming
 import friction
 import hockling
+import knots
 import large_increments
 import mismatch
 import penalty
@@ -14,10 +16,12 @@ import random_scenes
 import refinement
 import remedies
 import ropes
+import slack
 import slenderness
 import units
 
 FAMILIES = (
+    forming.FAMILY,
     crossing_angle.FAMILY,
     remedies.FAMILY,
     friction.FAMILY,
@@ -30,6 +34,9 @@ FAMILIES = (
     large_increments.FAMILY,
     ends.FAMILY,
     birdcage.FAMILY,
+    slack.STRAND,
+    slack.BRAID,
+    knots.FAMILY,
     hockling.FAMILY,
     random_scenes.FAMILY,
     ropes.FAMILY,

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import itertools
 import logging
+import multiprocessing
+import os
 from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -30,6 +33,7 @@ class Family:
         labels: Of the values of the second parameter, where numbers say nothing.
         chosen: Whether a combination is computed; all are by default.
         draw: Writes a map of its own.
+        together: How many scenes one process takes after each other: those that go on from one another.
     """
 
     name: str
@@ -43,18 +47,51 @@ class Family:
     labels: tuple[str, ...] = ()
     chosen: Callable[..., bool] = lambda *case: True
     draw: Callable[[Family, Sequence[Outcome], Path], None] | None = None
+    together: int = 1
 
 
 @cache
 def explore(family: Family) -> dict[tuple[float, ...], Outcome]:
     """Outcomes of all scenes of a family by their parameters; computed once per process."""
-    logging.getLogger("braidx").setLevel(logging.ERROR)
-    cases = [case for case in itertools.product(*family.values) if family.chosen(*case)]
-    outcomes = with_slowness([family.outcome(*case) for case in cases])
-    DONE[family.name] = outcomes
+    found = [outcome for some in begun(family) for outcome in _told(some.result())]
+    DONE[family.name] = with_slowness(found)
+    return dict(zip(cases(family), DONE[family.name], strict=True))
+
+
+@cache
+def begun(family: Family) -> list[Future[list[Outcome]]]:
+    """Scenes of a family, some after each other where they go on from one another, as they come to be done."""
+    size, all_cases = family.together, cases(family)
+    groups = [all_cases[first : first + size] for first in range(0, len(all_cases), size)]
+    return [workers().submit(_outcomes, family.outcome, group) for group in groups]
+
+
+def cases(family: Family) -> list[tuple[float, ...]]:
+    """Parameters of its scenes."""
+    return [case for case in itertools.product(*family.values) if family.chosen(*case)]
+
+
+def _outcomes(outcome: Callable[..., Outcome], group: Sequence[tuple[float, ...]]) -> list[Outcome]:
+    return [outcome(*case) for case in group]
+
+
+def _told(outcomes: list[Outcome]) -> list[Outcome]:
     for outcome in outcomes:
-        print(line(outcome))
-    return dict(zip(cases, outcomes, strict=True))
+        print(line(outcome), flush=True)
+    return outcomes
+
+
+@cache
+def workers() -> ProcessPoolExecutor:
+    """Processes that compute scenes side by side, one thread each; started afresh, as MPI cannot be forked."""
+    for threads in ("BRAIDX_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+        os.environ[threads] = "1"  # of the processes to come
+    number = min(len(os.sched_getaffinity(0)), 4)
+    return ProcessPoolExecutor(number, multiprocessing.get_context("spawn"), _be_quiet)
+
+
+def _be_quiet() -> None:
+    logging.getLogger("braidx").setLevel(logging.ERROR)
 
 
 def line(outcome: Outcome) -> str:

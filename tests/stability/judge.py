@@ -22,11 +22,13 @@ Floats = npt.NDArray[np.float64]
 CONVERGED, SLOW, FAILED, WRONG = "converged", "slow", "failed", "WRONG"
 REFUSED = "refused"  # by the checks of a scene
 SLOWNESS = 3.0  # times the median of the iterations of a family
-BALANCE = 1e-4  # of forces and moments, of the largest sum of their sizes
+BALANCE = (
+    1e-4  # of forces and moments, of the largest sum of sizes: of loads and supports, or contacts
+)
 ENERGY = 0.05  # of the largest work
 HIDDEN = 0.02  # of the sum of radii: overlap that contact elements know nothing of
 THROUGH = 0.5  # of the sum of radii: centre lines that come nearer on the way have passed
-LEAST = 1e5  # round-offs of axial forces: smaller forces are not told from none
+LEFT = 10.0  # round-offs of axial forces, that an equilibrium may leave; times the root of the number of nodes in all
 TURN = 0.7  # change of directors in an increment above which its chord says nothing of the work of couples
 
 
@@ -70,10 +72,12 @@ class Watch:
     Args:
         rods: The scene.
         conserves: Whether all energy is accounted for: not where rods snap from one equilibrium to the next.
+        balance: To which forces and moments have to cancel.
     """
 
-    def __init__(self, rods: Rods, conserves: bool = True) -> None:
-        self.rods, self.conserves = rods, conserves
+    def __init__(self, rods: Rods, conserves: bool = True, balance: float = BALANCE) -> None:
+        self.rods, self.conserves, self.balance = rods, conserves, balance
+        self._left = LEFT * rods.layout.round_off * float(np.sqrt(rods.layout.num_nodes.sum()))
         self.iterations = self.increments = self.asked = 0
         self.force_error = self.moment_error = self.penetration = 0.0
         self.message = ""
@@ -84,7 +88,7 @@ class Watch:
         self._q, self._external = rods.q.copy(), np.zeros_like(rods.q)
         self._lines = self._centre_lines()
         self.nearest, self.hidden = nearness(rods, self._lines), 0.0
-        self._energy_before = self._stored()
+        self._energy_before = self._stored() + rods.friction_work
 
     def solve(self, increments: int, **options: Any) -> bool:
         """As Rods.solve; False if it failed."""
@@ -160,10 +164,13 @@ class Watch:
     def _check_balance(self, external: Floats) -> None:
         force, moment, size, turning = resultants(self.rods, external)
         extent = max(float(np.ptp(rod.line, axis=0).max()) for rod in self.rods.rods)
-        least = max(size, turning / extent, LEAST * self.rods.layout.round_off)
+        touching = self.rods.contacts()
+        # A knot presses itself harder than it is pulled.
+        within = float(touching["normal_force"].sum())
+        # Smaller forces are not told from none.
+        least = max(size, turning / extent, within, self._left / self.balance)
         self.force_error = max(self.force_error, force / least)
         # Friction acts on particles of both surfaces, which are a little apart.
-        touching = self.rods.contacts()
         friction = np.linalg.norm(touching["friction_force"], axis=1)
         couples = float(friction @ apart(self.rods, touching))
         self.moment_error = max(self.moment_error, max(0.0, moment - couples) / (least * extent))
@@ -182,8 +189,8 @@ class Watch:
         allowed = np.inf if limit is None else 1.05 * limit / self.rods.contact.min_radius
         error = self.energy_error()
         checks = {
-            f"forces are off by {self.force_error:.1e}": self.force_error > BALANCE,
-            f"moments are off by {self.moment_error:.1e}": self.moment_error > BALANCE,
+            f"forces are off by {self.force_error:.1e}": self.force_error > self.balance,
+            f"moments are off by {self.moment_error:.1e}": self.moment_error > self.balance,
             f"penetration {self.penetration:.3g} r": self.penetration > allowed,
             f"hidden overlap of {self.hidden:.2g} (r + r)": self.hidden > HIDDEN,
             f"rods passed: nearest {self.nearest:.2g} (r + r)": self.nearest < THROUGH,

@@ -26,7 +26,8 @@ all of them:
 - **failed cleanly**: `NotConverged`, with a message that says how far it got;
 - **wrong**: an answer that cannot be right, without a word.
 
-To be right, forces and moments of supports and loads have to cancel (to {judge.BALANCE:g}); penetrations have to stay
+To be right, forces and moments of supports and loads have to cancel (to {judge.BALANCE:g} of them, or of what
+presses rods on each other); penetrations have to stay
 within their limit; centre lines, measured apart from the search for contact, may not come nearer than radii and
 penetration say (by {judge.HIDDEN:g} of the sum of the radii), nor cross each other on the way of an increment; and the
 work of motions and loads has to be in the elastic energy, the friction, the stabilisation and the penalties (to

@@ -136,6 +136,11 @@ class RopeRun:
         within = [half[cut : len(half) - cut] for half in halves]
         return deepest_overlap(inner, within, self.goes_on, found.length) / radius
 
+    def diameter(self, found: Found) -> float:
+        """Of the rope where a centre line is farthest from its axis, mm."""
+        away = max(float(np.linalg.norm(line[:, :2], axis=1).max()) for line in found.lines)
+        return 2.0 * (away + self.scene.yarn.radius)
+
     def penetration(self, found: Found) -> float:
         """Deepest of all contacts over the radius; not in the first and last elements of ends that are held."""
         table, z = found.contacts, found.contacts.position[:, 2]

@@ -186,6 +186,34 @@ def bent(draw: DrawFn) -> Recipe:
     }
 
 
+def small_braid(model: str, factor: float, *steps: Recipe, **form: float) -> Recipe:
+    """The rope of demos/small_rope.toml with 24 elements, formed and brought to rest, and what is done to it then.
+
+    Args:
+        model, factor: Of yarns; the factor on their bending.
+        steps: After they have come to rest.
+        form: Options of forming.
+    """
+    return {
+        "rope": {"pitch": 36.0, "pitches": 1},
+        "braid": {
+            "strands_per_direction": [4, 4],
+            "motif": "1-over-1-under",
+            "helix_radius": 2.0,
+        },
+        "yarn": {
+            "radius": 0.86,
+            "axial_stiffness": 162e3,
+            "model": model,
+            "bundle_factor": factor,
+            "elements_per_pitch": 24,
+        },
+        "contact": {"friction": 0.1},
+        "solver": {"max_cuts": 4},
+        "steps": [{"kind": "form", "tension": 20.0, **form}, {"kind": "settle"}, *steps],
+    }
+
+
 KINDS = {
     "strand": strands(),
     "braid": braids(),

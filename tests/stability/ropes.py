@@ -87,7 +87,7 @@ def judged(case: tuple[float, ...], scene: Scene, folder: Path, message: str) ->
         found["penetration"],
         1.0 - found["overlap"] / 2.0,
         found["energy"],
-        values={name: found[name] for name in ("burst", "held")},
+        values={name: found[name] for name in ("burst", "held", "diameter")},
     )
 
 
@@ -118,7 +118,7 @@ def _unbalanced(found: dict[str, float]) -> list[tuple[str, bool]]:
 
 
 MEASURES = ("force", "burst", "yarn", "cone", "energy", "untold", "snapped", "held")
-PLACES = ("penetration", "overlap", "wrong", "unwound")
+PLACES = ("penetration", "overlap", "wrong", "unwound", "diameter")
 NOTHING = dict.fromkeys(MEASURES + PLACES, 0.0)
 
 
@@ -134,6 +134,7 @@ def _of_straight(scene: Scene, folder: Path) -> dict[str, float]:
     if not shapes:
         return found
     worst("overlap", [left.overlap(state) for state in shapes])
+    found["diameter"] = left.diameter(shapes[-1])
     worst("wrong", [left.wrong_sides(state) for state in shapes])
     worst("unwound", [left.unwound(state) for state in shapes])
     if left.goes_on:

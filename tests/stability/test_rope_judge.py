@@ -16,9 +16,9 @@ from braidx.output.snapshot import Snapshot
 from braidx.scene import Scene
 from braidx.scene.build import scene_from_dict
 from judge import CONVERGED, WRONG, Outcome
+from rope_recipes import small_braid
 from rope_work import Taken
 from ropes import computed, judged
-from slack import braid
 
 QUIET = {"pictures": False, "fields": False, "states": True}
 Right = tuple[Scene, Path]
@@ -27,7 +27,7 @@ Right = tuple[Scene, Path]
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> tuple[Scene, Path]:
     pull = {"kind": "pull", "to_force": 3.0}
-    scene = scene_from_dict({**braid("cable", 1.0, pull), "output": QUIET}, "rope")
+    scene = scene_from_dict({**small_braid("cable", 1.0, pull), "output": QUIET}, "rope")
     folder = tmp_path_factory.mktemp("judge") / "right"
     create_folder(folder, scene)
     assert not computed(scene, folder)

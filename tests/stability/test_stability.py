@@ -7,8 +7,10 @@ import pytest
 import birdcage
 import crossing_angle
 import ends
+import forming
 import friction
 import hockling
+import knots
 import large_increments
 import mismatch
 import penalty
@@ -17,6 +19,7 @@ import refinement
 import remedies
 import ropes
 import scenes
+import slack
 import slenderness
 import units
 from families import FAMILIES
@@ -104,6 +107,21 @@ def test_increments_of_a_hundred_times() -> None:
         assert outcome.values["lift over that of small increments"] == pytest.approx(1.0, abs=1e-3)
 
 
+def test_the_way_to_a_formed_rope_does_not_show_in_it() -> None:
+    outcomes = explore(forming.FAMILY)
+    assert good(outcomes) >= {case for case in outcomes if case[1] < 1e4}
+
+
+def test_knots_are_tightened_until_they_lock() -> None:
+    outcomes = explore(knots.FAMILY)
+    assert good(outcomes) >= {case for case in outcomes if case[1] >= 40.0}
+    # A locked knot is pulled far harder for each radius than a loose one, and the harder the rougher it is.
+    for rough in knots.FRICTIONS:
+        force = [outcomes[rough, left].values["force"] for left in (120.0, 80.0, 60.0, 40.0)]
+        assert force[3] - force[2] > 3.0 * (force[1] - force[0])
+    assert outcomes[0.5, 40.0].values["force"] > 5.0 * outcomes[0.0, 40.0].values["force"]
+
+
 def test_parallel_fibres_drag_by_their_coefficient_of_friction() -> None:
     outcomes = explore(ends.FAMILY)
     for (_, coefficient), outcome in outcomes.items():
@@ -111,7 +129,9 @@ def test_parallel_fibres_drag_by_their_coefficient_of_friction() -> None:
 
 
 @pytest.mark.parametrize(
-    "family", [ends.FAMILY, birdcage.FAMILY, hockling.FAMILY], ids=lambda f: f.name
+    "family",
+    [ends.FAMILY, birdcage.FAMILY, slack.STRAND, slack.BRAID, hockling.FAMILY],
+    ids=lambda f: f.name,
 )
 def test_most_of_the_hard_scenes_are_solved(family: Family) -> None:
     outcomes = explore(family)
