@@ -174,10 +174,15 @@ class RopeRun:
         return work / found.length
 
     def burst(self, found: Found) -> float:
-        """What contacts push outwards more than yarns pull inwards, over what they pull; 0 in equilibrium."""
+        """What contacts push outwards more than yarns pull inwards, over what they pull; 0 in equilibrium.
+
+        Yarns that nothing touches pull nothing: what they do is measured by the force on the rope.
+        """
         pull = sum(self.yarns.stretching_work(found.now, axis) for axis in (0, 1))
         push = sum(self._contact_work(found, axis) for axis in (0, 1))
-        return (push - pull) / max(abs(pull), abs(push), self._least(found) * found.length)
+        alone = not found.contacts.normal_force.any()
+        force = max(self._least(found), abs(self.force(found)) if alone else 0.0)
+        return (push - pull) / max(abs(pull), abs(push), force * found.length)
 
     def unbalanced(self, found: Found) -> float:
         """Largest sum of contact forces on one yarn over the sum of all their sizes divided by the number of yarns."""
