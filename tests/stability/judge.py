@@ -14,8 +14,9 @@ import numpy as np
 import numpy.typing as npt
 
 from braidx.rods import Beam, NotConverged, Rods
-from lines import centre_line, nearness, nearness_on_the_way
+from lines import FINER, POINTS, centre_line, nearness, nearness_on_the_way
 from particles import apart
+from rope_lines import half_widths
 
 Floats = npt.NDArray[np.float64]
 
@@ -181,7 +182,9 @@ class Watch:
         self.nearest = min(self.nearest, nearness_on_the_way(rods, self._lines, lines))
         gaps = rods.contacts()["gap"]
         depth = -float(gaps.min(initial=0.0)) / rods.contact.min_radius
-        self.hidden = max(self.hidden, 1.0 - nearness(rods, lines) - depth / 2.0)
+        # Sections that are squeezed, or thinner for being pulled, come nearer than round ones.
+        overlap = 1.0 - nearness(rods, lines, self._widths())
+        self.hidden = max(self.hidden, overlap - depth / 2.0)
         self.penetration, self._lines = max(self.penetration, depth), lines
 
     def _what_is_wrong(self) -> list[str]:
@@ -207,6 +210,15 @@ class Watch:
         return [
             centre_line(rods.positions(i).copy(), rod.degree) for i, rod in enumerate(rods.rods)
         ]
+
+    def _widths(self) -> list[Floats]:
+        found, rods = [], self.rods
+        for i, rod in enumerate(rods.rods):
+            state = rods.q[rods.layout.unknowns(i, slice(None))]
+            directors = state[:, 3:].reshape(-1, 2, 3) if isinstance(rod, Beam) else None
+            finer = FINER if rod.degree == 1 else POINTS // 2
+            found.append(half_widths(directors, len(state), rod.radius, finer))
+        return found
 
     def _stored(self) -> float:
         """Elastic energy with that of the penalties, mJ."""

@@ -83,22 +83,38 @@ def pairs(rods: Rods) -> list[tuple[int, int]]:
     return both + ([(i, i) for i in range(number)] if np.isfinite(exclusion) else [])
 
 
-def nearness(rods: Rods, lines: Sequence[Floats]) -> float:
+def nearness(rods: Rods, lines: Sequence[Floats], widths: Sequence[Floats] | None = None) -> float:
     """Smallest distance of centre lines over the sum of radii, REACH at most; rods that touch have 1.
 
     Args:
         lines: Points of each rod, shape (n, 3), mm.
+        widths: Tensors of the half widths of each (rope_lines.half_widths), shape (n - 1, 3, 3), mm^2, which then
+            count instead of radii.
     """
     least = REACH
     for i, j in pairs(rods):
-        both = rods.rods[i].radius + rods.rods[j].radius
+        both: float | Floats = rods.rods[i].radius + rods.rods[j].radius
         distance, which = near_segments(lines[i], lines[j], REACH * both)
+        if widths is not None:
+            both = _across(lines[i], lines[j], widths[i], widths[j], which)
+        near = distance / both
         if i == j:
             arc = np.append(0.0, np.linalg.norm(np.diff(lines[i], axis=0), axis=1).cumsum())
             away = rods.contact.pairing.search.self_exclusion * rods.rods[i].radius
-            distance = distance[np.abs(arc[which[:, 0]] - arc[which[:, 1]]) > away]
-        least = min(least, float(distance.min(initial=np.inf)) / both)
+            near = near[np.abs(arc[which[:, 0]] - arc[which[:, 1]]) > away]
+        least = min(least, float(near.min(initial=np.inf)))
     return least
+
+
+def _across(
+    a: Floats, b: Floats, widths_a: Floats, widths_b: Floats, which: npt.NDArray[np.int64]
+) -> Floats:
+    """Half widths of pairs of segments, along the way from middle to middle, in all; shape (n,), mm."""
+    i, j = which.T
+    way = (b[j] + b[j + 1] - a[i] - a[i + 1]) / 2.0
+    way /= np.maximum(np.linalg.norm(way, axis=1), 1e-12)[:, None]
+    along = [np.einsum("ni,nij,nj->n", way, w, way) for w in (widths_a[i], widths_b[j])]
+    return np.asarray(np.sqrt(along[0]) + np.sqrt(along[1]))
 
 
 def nearness_on_the_way(rods: Rods, begin: Sequence[Floats], end: Sequence[Floats]) -> float:

@@ -13,18 +13,21 @@ from lines import FINER, REACH, near_segments
 Floats = npt.NDArray[np.float64]
 
 
-def half_widths(directors: Floats | None, num_nodes: int, radius: float) -> Floats:
+def half_widths(
+    directors: Floats | None, num_nodes: int, radius: float, finer: int = FINER
+) -> Floats:
     """Tensors whose quadratic form with a unit vector is the square of a yarn's half width along it, mm^2.
 
     Args:
         directors: g1 and g2 of beams, shape (num_nodes, 2, 3); None: the section is a circle.
+        finer: Points of the line from node to node.
     Returns:
-        Between the points of the smooth line, shape (FINER (num_nodes - 1), 3, 3).
+        Between the points of the line, shape (finer (num_nodes - 1), 3, 3).
     """
     if directors is None:
         round_one = radius**2 * np.eye(3)
-        return np.broadcast_to(round_one, (FINER * (num_nodes - 1), 3, 3))
-    t = (np.arange(FINER) + 0.5)[None, :, None, None] / FINER
+        return np.broadcast_to(round_one, (finer * (num_nodes - 1), 3, 3))
+    t = (np.arange(finer) + 0.5)[None, :, None, None] / finer
     g = ((1.0 - t) * directors[:-1, None] + t * directors[1:, None]).reshape(-1, 2, 3)
     return np.asarray(radius**2 * np.einsum("nki,nkj->nij", g, g))
 
