@@ -118,8 +118,8 @@ def test_knots_are_tightened_until_they_lock() -> None:
     # A locked knot is pulled far harder for each radius than a loose one, and the harder the rougher it is.
     for rough in knots.FRICTIONS:
         force = [outcomes[rough, left].values["force"] for left in (120.0, 80.0, 60.0, 40.0)]
-        assert force[3] - force[2] > 3.0 * (force[1] - force[0])
-    assert outcomes[0.5, 40.0].values["force"] > 5.0 * outcomes[0.0, 40.0].values["force"]
+        assert force[3] - force[2] > 2.5 * (force[1] - force[0])
+    assert outcomes[0.5, 40.0].values["force"] > 3.0 * outcomes[0.0, 40.0].values["force"]
 
 
 def test_parallel_fibres_drag_by_their_coefficient_of_friction() -> None:
@@ -152,5 +152,13 @@ def test_random_ropes_are_found_or_fail_with_a_message() -> None:
     assert all(outcome.why for outcome in failed)
 
 
-# Scenes that converge, as found (random ones: 34).
-FRONTIERS = {"ends": 12, "birdcage": 12, "hockling": 6, "random": 32, "ropes": 150}
+# Scenes that converge (found, where a few may come and go: random 38, ropes 166).
+FRONTIERS = {
+    "ends": 12,
+    "birdcage": 12,
+    "slack_strand": 24,
+    "slack_braid": 29,
+    "hockling": 7,
+    "random": 36,
+    "ropes": 160,
+}
