@@ -61,8 +61,8 @@ FAMILY = Family(
     logarithmic=(False, False),
     labels=("solve", "run"),
     means=(
-        "`solve` stops with a message where the rod snaps to a loop. `run` goes on through the snap, and winds the "
-        "loop up; at four turns it stops with a message, where an element would be turned inside out. Before, it was "
+        "Both go on through the snap, and wind the loop up; at four turns `run` stops with a message, where an "
+        "element would be turned inside out. Before, it was "
         "wrong twice. The loop crosses itself at a place that moves by more than the distance of stations from one "
         "contact update to the next, was lost, and the rod overlapped itself by 10 % of a diameter unseen: such places "
         "are followed now, and contact that misses an overlap is looked for again. And an element that was turned "

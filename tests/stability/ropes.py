@@ -215,9 +215,10 @@ FAMILY = Family(
     means=(
         "No rope is wrong. All 60 strands are found. Of 130 braids 53 of the 54 whose yarns are less than 24 degrees "
         "from the axis are; of steeper ones 46 of 60 where strands fill less than 80 % of the circumference that the "
-        "recipe gives them, and none of 12 where they fill more: leave strands room, with a larger helix radius, and "
-        "let tension bring them together. Twelve strands fail more often (17 of 39) than six or eight (10 of 91); "
-        "friction, the model of yarns and the kind of ends hardly matter. Most failures are in forming: places where "
+        "recipe gives them, and none of 12 where they fill more. With as much room as at 60 % both of these that have "
+        "eight strands are found, but none of four with twelve, which fail more often altogether (17 of 39, others 10 "
+        "of 91); other steps, penalties, viscosities and more elements did not help the one they were tried on. "
+        "Friction, the model of yarns and the kind of ends hardly matter. Most failures are in forming: places where "
         "strands part come and go. Ropes bent over a sheave are the hardest, 3 of 10: some cannot be clamped, of "
         "others the run says that its stabilisation did more work than an equilibrium may leave to it."
     ),

@@ -85,7 +85,8 @@ def test_friction_up_to_one_with_reversal() -> None:
 
 def test_penalties_over_six_decades() -> None:
     outcomes = explore(penalty.FAMILY)
-    assert cases_with(outcomes, CONVERGED) == set(outcomes)
+    assert good(outcomes) == set(outcomes)
+    assert cases_with(outcomes, CONVERGED) >= {case for case in outcomes if case[0] <= 100.0}
 
 
 def test_units_do_not_matter() -> None:
