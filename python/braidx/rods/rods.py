@@ -25,7 +25,7 @@ from .state import ALL, RodState
 from .supports import Motion, Supports
 
 # Rods that hardly stretch: a step that bends them stretches them, too, and the next ones take that back.
-VAIN = 20
+PATIENCE = 20
 MANY = 5000  # unknowns from which on factors of a tangent cost more than to solve with those of an earlier one
 Nodes = int | slice | Sequence[int]
 
@@ -47,10 +47,11 @@ class Rods(RodState):
         rigid: Rigid surfaces, from braidx_engine.make_plane, make_cylinder or make_sheave.
         spacing: Of places where contact is looked for, mm; half the shortest element by default, two radii at most.
         tolerance: Relative residual of an equilibrium.
-        viscosity: Of a stabilisation of positions, N/mm per node, which lets go of what `solve` finds before it counts
-            as an equilibrium; motion it slows down.
+        viscosity: Of a stabilisation of positions, N/mm per node, which lets go of what `solve` finds; slows motion.
         max_step: Largest change of a position in an iteration, mm; the size of the longest rod by default, the smallest
             radius where something may touch.
+        patience: Full Newton steps in a row that come no nearer, after which steps are searched for; less pays where
+            many contacts open and close by turns, as in strands that are bent.
         comm: Processes that share the work.
 
     Attributes:
@@ -77,6 +78,7 @@ class Rods(RodState):
         tolerance: float = 1e-8,
         viscosity: float = 0.0,
         max_step: float | None = None,
+        patience: int = PATIENCE,
         comm: MPI.Comm = MPI.COMM_WORLD,
     ) -> None:
         self.comm, self.rods = comm, list(rods)
@@ -105,7 +107,7 @@ class Rods(RodState):
             max_step=max_step or (radius if touching else size),
             symmetric=False,
             least_force=self.layout.round_off / tolerance,
-            vain=VAIN,
+            vain=patience,
             max_turn=1.0,
             halving=True,
             lagged=self.q.size > MANY,

@@ -1,8 +1,8 @@
 """All scenes of the peers after each other: what was aimed at, what was reached, and the figures of each.
 
-    ./braidx shell python3 tests/benchmark/peers/compare.py [--figures docs/images]
+    OPENBLAS_NUM_THREADS=2 ./braidx shell python3 tests/benchmark/peers/compare.py [--figures docs/images]
 
-K: a knot, T: twisted yarns, S: strands in bending. Seconds are wall clock, with as many threads as there are cores;
+K: a knot, T: twisted yarns, S: strands in bending. Seconds are wall clock, on two cores;
 those of the peers are of other machines.
 """
 

@@ -40,6 +40,7 @@ ANGLE = 0.5  # radians
 # Contact sets in gradually, as that of round steel wires does: 20 N/mm press them 4.5 micrometres into each other, and
 # layers are placed so that this is about where they begin.
 PENALTY, REGULARISATION, FIT = 0.1 * MODULUS, 1e-2, 5e-3  # N/mm per mm, mm, mm
+PATIENCE = 5  # Newton steps: contacts of wires that begin to slip open and close by turns
 STICKING = (0.001, 0.01)  # radians: first angles, to see wires begin to slip
 STEP = 0.17  # of the others
 AREA, INERTIA = np.pi * RADIUS**2, np.pi * RADIUS**4 / 4.0
@@ -107,7 +108,9 @@ class Strand:
                 slope = 2.0 * np.pi * radius / pitch
                 tangent = np.array([-slope * np.sin(phase), slope * np.cos(phase), 1.0])
                 pulls.append(-TENSION * tangent / np.linalg.norm(tangent))
-        rods = self.rods = Rods(parts, friction=FRICTION, penalty=PENALTY, tolerance=1e-6)
+        rods = self.rods = Rods(
+            parts, friction=FRICTION, penalty=PENALTY, tolerance=1e-6, patience=PATIENCE
+        )
         rods.contact.laws.regularisation = REGULARISATION
         for wire, pull in enumerate(pulls):
             rods.clamp(wire, -1)
