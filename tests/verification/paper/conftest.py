@@ -19,3 +19,11 @@ def runs(request, tmp_path_factory):
         patch.setenv("BRAIDX_THREADS", "1")
         given = os.environ.get(BEFOREHAND)
         yield Path(given).resolve() if given else tmp_path_factory.mktemp("paper_ropes")
+
+
+@pytest.fixture(scope="session")
+def ropes(runs):
+    """Outcomes of all ropes of the papers, by study: all at once, as none of the tests is quick without them."""
+    from paper_ropes import compute, paper_ropes
+
+    return compute(runs, paper_ropes())

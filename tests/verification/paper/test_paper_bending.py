@@ -5,17 +5,14 @@ those of the studies of bending, with yarns as beams, and the sliding is the stu
 nearest to the crown. Numbers and radii of yarns would take as long again: docs/bending.md has them.
 """
 
-import braiding_angle
-import diameter_ratio
 import numpy as np
 import pytest
 from bent_values import ESTIMATE, SLIP
-from paper_ropes import cases_of, compute
+from paper_ropes import converged
 from study_page import column, listed
 from summaries import SECONDS
 
 WRONG_SIDE = "crossings on the wrong side"
-SMALLEST, LARGEST = "3.33", "10.00"  # D/d
 STEEPER = (
     "at 30 degrees yarns slide by two thirds of the 0.3 mm that the paper has as a bound, and at 60 by more than its "
     "0.7 mm. The paper does not state the yarns of its ropes of other angles; these are 8 of radius 0.8 mm."
@@ -27,18 +24,9 @@ HELD_BACK = (
 
 
 @pytest.fixture(scope="session")
-def bent(runs):
+def bent(ropes):
     """Outcomes by study; every one converged."""
-    studies = {
-        "ratio": cases_of(diameter_ratio.study(), SMALLEST, LARGEST),
-        "angle": cases_of(braiding_angle.study(), "30", "60"),
-    }
-    found = dict(zip(studies, compute(runs, *studies.values()), strict=True))
-    failures = {
-        o.case.label: o.failure for outcomes in found.values() for o in outcomes if o.failure
-    }
-    assert failures == {}
-    return found
+    return {name: converged(ropes[name]) for name in ("ratio", "angle")}
 
 
 def test_every_rope_keeps_its_motif(bent):

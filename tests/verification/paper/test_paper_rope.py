@@ -1,17 +1,13 @@
 """R4 to R6: paper 1's rope, and ropes like it of other pitches and with little friction.
 
 References are the paper's experiment and its model, neither of which is exact. Ropes and criteria are those of the
-studies of pitch and friction; friction of 0.03, which lies between the others, is left to the study. The rope of least
-friction comes to rest at the demo's 7 kN, not at the study's 0.5, which takes it an hour: its toe is behind it then,
-and strain counts from the formed rope all the same.
+studies of pitch and friction; friction of 0.03, which lies between the others, is left to the study.
 """
-
-from dataclasses import replace
 
 import friction_coefficient
 import pitch_length
 import pytest
-from paper_ropes import cases_of, compute
+from paper_ropes import converged
 from pulled_values import (
     EFFICIENCY,
     FORMED,
@@ -58,12 +54,9 @@ FRICTION = {
 
 
 @pytest.fixture(scope="session")
-def pulled(runs):
+def pulled(ropes):
     """Ropes by friction, and by pitch; every one converged."""
-    slippery = replace(cases_of(friction_coefficient.study(), "0.003"), base=())
-    (least,), pitches = found = compute(runs, slippery, pitch_length.study())
-    failures = {o.case.label: o.failure for outcomes in found for o in outcomes if o.failure}
-    assert failures == {}
+    (least,), pitches = converged(ropes["friction"]), converged(ropes["pitch"])
     return [least, *(rope for rope in pitches if rope.case.label == "132")], pitches
 
 
