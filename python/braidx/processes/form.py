@@ -222,9 +222,8 @@ class Former:
             except Diverged as failure:
                 LOGGER.warning("forming: %s; stabilisation doubled", failure)
                 last = failure
-        pairs = ", ".join(f"{a}-{b}" for a, b in self.model.contact.worst_pairs())
         raise NotConverged(
-            f"forming stopped: {last}; deepest contacts between yarns {pairs or 'none'}; "
+            f"forming stopped: {last}; deepest contacts between yarns {last.deepest}; "
             "try a smaller form.gap_reduction, a higher form.viscosity or a larger form.die_diameter"
         )
 

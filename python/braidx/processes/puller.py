@@ -176,9 +176,8 @@ class Puller:
         )
 
     def _give_up(self, strain: float, failure: Diverged) -> NotConverged:
-        pairs = ", ".join(f"{a}-{b}" for a, b in self.model.contact.worst_pairs())
         return NotConverged(
             f"no equilibrium at rope strain {strain:.6f}: {failure}; deepest contacts between yarns "
-            f"{pairs or 'none'}; try a smaller steps.strain_increment, a higher solver.viscosity, or "
+            f"{failure.deepest}; try a smaller steps.strain_increment, a higher solver.viscosity, or "
             "contact.friction below 1"
         )

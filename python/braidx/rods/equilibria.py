@@ -104,7 +104,9 @@ class Equilibria:
             refuse_kinked(self._layout, found.q)
             if not leap:
                 refuse_passing(self._layout, self._contact, start, found.q)
-        except Diverged:
+        except Diverged as failure:
+            rods = self._layout.surface_rods
+            failure.pairs = [(rods[a], rods[b] if b >= 0 else b) for a, b in failure.pairs]
             self._contact.restore(elements)
             raise
         finally:

@@ -61,9 +61,12 @@ def follow(
             LOGGER.warning("increment to %.4g cut: %s", end, failure)
             cuts, easy, rate = cuts + 1, 0, np.zeros_like(start)
             if cuts > max_cuts:
+                where = (
+                    f"; deepest contacts between rods {failure.deepest}" if failure.pairs else ""
+                )
                 raise NotConverged(
-                    f"no equilibrium at {end:.4g} of the way, after {len(found)} increments: {failure}. Try more "
-                    "increments, a viscosity, or `run`, if there is no equilibrium near."
+                    f"no equilibrium at {end:.4g} of the way, after {len(found)} increments: {failure}{where}. Try "
+                    "more increments, a viscosity, or `run`, if there is no equilibrium near."
                 ) from failure
             continue
         rate = (increment.q - q) / (end - share)

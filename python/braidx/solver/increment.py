@@ -123,7 +123,8 @@ class Incrementer:
         try:
             while not self._accepted(trial, options) or self._lets_go(trial, options):
                 self._improve(trial, options.in_passing)
-        except Diverged:
+        except Diverged as failure:
+            failure.pairs = self.contact.worst_pairs()
             self.contact.restore(before)
             raise
         finally:

@@ -21,11 +21,19 @@ class Diverged(Exception):
 
     Attributes:
         iterations, linear_solves: What the attempt cost.
+        pairs: Surfaces with the deepest penetrations in the last state that was tried, deepest first.
     """
 
     def __init__(self, reason: str, iterations: int, linear_solves: int) -> None:
         super().__init__(reason)
         self.iterations, self.linear_solves = iterations, linear_solves
+        self.pairs: list[tuple[int, int]] = []
+
+    @property
+    def deepest(self) -> str:
+        """The pairs, for a message; rigid surfaces have no numbers."""
+        named = (f"{a}-{b}" if b >= 0 else f"{a}-rigid" for a, b in self.pairs)
+        return ", ".join(dict.fromkeys(named)) or "none"
 
 
 @dataclass

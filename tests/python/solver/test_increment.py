@@ -84,6 +84,7 @@ def test_a_failed_increment_leaves_no_trace(limit):
     assert np.array_equal(q, kept) and model.contact.arrays()["work"].sum() == work
     assert not model.proximal.damping.any()
     assert (failure.value.iterations > 0) == (limit == "updates")
+    assert failure.value.deepest != "none"  # of the state that was tried, before the way back
 
 
 def test_the_way_back_leads_on():

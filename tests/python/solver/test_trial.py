@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from braidx.solver.trial import FIRST_DAMPING, MOST_DAMPING, PATIENCE, Trial
+from braidx.solver.trial import FIRST_DAMPING, MOST_DAMPING, PATIENCE, Diverged, Trial
 
 
 def dampings(slow):
@@ -32,3 +32,10 @@ def test_damping_is_lifted_once_in_a_while_and_ever_less_often():
     """Else what is easily moved would creep for ever: an update without damping takes it where it belongs."""
     lifted = np.flatnonzero(np.array(dampings([True] * 40)) == 0.0)
     assert lifted.tolist() == [PATIENCE, 3 * PATIENCE + 1, 7 * PATIENCE + 2]
+
+
+def test_pairs_of_a_failure_are_told_by_their_numbers():
+    failure = Diverged("lost", 3, 4)
+    assert failure.deepest == "none"
+    failure.pairs = [(4, 7), (2, -1), (2, -2)]
+    assert failure.deepest == "4-7, 2-rigid"

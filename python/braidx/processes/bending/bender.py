@@ -130,8 +130,7 @@ class Bender:
         )
 
     def _give_up(self, travel: float, failure: Diverged) -> NotConverged:
-        pairs = ", ".join(f"{a}-{b}" for a, b in self.model.contact.worst_pairs())
         return NotConverged(
             f"no equilibrium at a travel of {travel:.3f} mm: {failure}; deepest contacts between surfaces "
-            f"{pairs or 'none'}; try more steps.increments, a higher solver.viscosity, or a small steps.pretension"
+            f"{failure.deepest}; try more steps.increments, a higher solver.viscosity, or a small steps.pretension"
         )
