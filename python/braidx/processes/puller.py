@@ -35,6 +35,7 @@ class Puller:
         share: What is reached of what groups of ends ask for, 0 to 1.
         calming: Factor on the stabilisation that the scene asks for.
         releases: Whether the stabilisation lets go of states found.
+        may_hold: Whether states that it holds will do where it cannot.
         eases: Whether penalties fall with the tension of yarns, too, and do not only rise with it.
     """
 
@@ -44,6 +45,7 @@ class Puller:
         self.share = state.progress.get("share", 0.0)
         self.calming = state.progress.get("calming", 1.0)
         self.releases = True
+        self.may_hold = False
         self.eases = False
         # Mean tension of the yarns that penalties are made for: they go with what is expected of increments.
         self._made_for = state.progress.get("tension", 0.0) or self._mean_tension(state.q)
@@ -135,7 +137,7 @@ class Puller:
         slack = self._made_for < SLACK * model.scene.yarn.axial_stiffness
         stiffening = 1.0 if slack else self._expected / self._made_for
         most = HELD * model.internal_energy(first) if self.releases else None
-        options = replace(self._options, stabilisation=most)
+        options = replace(self._options, stabilisation=most, may_hold=self.may_hold)
         return model.incrementer.solve(self.state.q, first, options, stiffening)
 
     def _is_rigid(self, q: Floats) -> bool:

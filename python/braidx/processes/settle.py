@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ..scene import Settle
+from ..solver.increment import Increment
 from .attempt import Attempt
 from .model import RopeModel
 from .outcome import Outcome
@@ -20,6 +21,7 @@ HARD, EASY = 20, 8  # Newton iterations of an increment on the way to rest, and
 CALM = 4.0  # factor on the stabilisation then, and
 LEAST = 4.0**-4  # the least that it becomes
 REST = 1e-3  # the stabilisation's work in an increment, over the internal energy
+LITTLE = 0.01  # its share below which a stabilisation that could not let go once tries to again
 
 
 def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
@@ -34,16 +36,25 @@ class Settler:
 
     The end is moved by what parallel yarns would need for the force that is missing, and by more and more of it while
     the rope gives way. On the way the stabilisation becomes what an increment can do with, so that the rope goes far in
-    few increments; at its end it is what it is in other steps, or less.
+    few increments; at its end it is what it is in other steps, or less. Where it could not let go of a state, it holds
+    the next ones, too, each from where the last one was found, until there is little left to hold.
     """
 
     def __init__(self, model: RopeModel, state: State, step: Settle) -> None:
         self.model, self.step = model, step
         self._puller = Puller(model, state)
+        # A rope that cannot be let go of yet is nearer to rest in the state found, and the next increment starts there.
+        self._puller.may_hold = True
         self._parallel = model.rope.num_yarns * model.scene.yarn.axial_stiffness
         self._wanted = 1e3 * step.force
         self._near = max(SETTLED * self._wanted, UNSTRETCHED * self._parallel)
-        start = {"settled": 0.0, "target": self._puller.strain, "missing": 0.0, "stride": 1.0}
+        start = {
+            "settled": 0.0,
+            "target": self._puller.strain,
+            "missing": 0.0,
+            "stride": 1.0,
+            "held": 0.0,
+        }
         self._number = {name: state.progress.get(name, value) for name, value in start.items()}
 
     @property
@@ -57,11 +68,13 @@ class Settler:
         # Groups of ends have half of the increments to get where they are wanted.
         share = puller.next_share(self.step, (increments + 1) // 2 - int(number["settled"]))
         # A rope whose end has arrived creeps on by what the stabilisation holds back.
-        puller.releases = number["target"] == puller.strain and puller.calming <= 1.0
+        puller.releases = self._has_arrived and number["held"] < LITTLE
         attempt = puller.to(number["target"], share)
         number["settled"] += 1
+        held = self._held_share(attempt.increment)
+        number["held"] = held if attempt.increment.held or number["held"] else 0.0
         self._aim()
-        if self._rests(attempt):
+        if held < REST and self._has_arrived and puller.grown(self.step):
             number["settled"] = float(increments)
         self._calm(attempt)
         puller.state = replace(
@@ -73,6 +86,16 @@ class Settler:
         name = "settled" if self.finished else None
         return outcome(puller, attempt, min(1.0, number["settled"] / increments), name)
 
+    @property
+    def _has_arrived(self) -> bool:
+        """Whether the end stays where it is, under no more stabilisation than the scene asks for."""
+        return self._number["target"] == self._puller.strain and self._puller.calming <= 1.0
+
+    def _held_share(self, increment: Increment) -> float:
+        """Work of the stabilisation over the internal energy."""
+        energy = self.model.internal_energy(increment.q)
+        return increment.stabilisation_work / max(energy, 1e-12)
+
     def _aim(self) -> None:
         """Where the end is moved next."""
         number, strain = self._number, self._puller.strain
@@ -82,12 +105,6 @@ class Settler:
         number["missing"] = missing
         way = number["stride"] * missing / self._parallel
         number["target"] = strain + (way if abs(missing) > self._near else 0.0)
-
-    def _rests(self, attempt: Attempt) -> bool:
-        puller = self._puller
-        energy = max(self.model.internal_energy(puller.state.q), 1e-12)
-        still = attempt.increment.stabilisation_work < REST * energy and puller.calming <= 1.0
-        return still and self._number["target"] == puller.strain and puller.grown(self.step)
 
     def _calm(self, attempt: Attempt) -> None:
         """More stabilisation for a rope that is found with pains, less, and more way to go, for one found with ease."""

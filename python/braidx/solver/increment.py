@@ -11,7 +11,7 @@ from ..output.log import LOGGER
 from ..system.constraints import Floats
 from ..system.proximal import ProximalTerm
 from .newton import Newton
-from .trial import FIRST_DAMPING, Diverged, Trial
+from .trial import FIRST_DAMPING, Diverged, HeldState, Trial
 
 FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
 SLOW = 0.5  # reduction of that residual by an update below which updates are damped
@@ -22,6 +22,7 @@ REACH = 0.1  # elements that sections may move before the tangent of repeated co
 NEW_POINTS = 1  # contact updates of an increment that may change which point stations there are
 RELEASES = 4  # times that the stabilisation may let go in one increment, and
 LETTING_GO = 0.1  # share of the viscosity that is left each time
+FREED = 12  # contact updates in which what it lets go of may find the next state, where it need not; most take 5
 UNFOLLOWED = 2  # updates with frozen sections after following ones did not converge
 
 
@@ -35,6 +36,7 @@ class IncrementOptions:
         penetration: Largest penetration accepted, mm; None leaves the penalty as it is.
         stabilisation: Work of the stabilisation above which it lets go, mJ: it then acts against departures from
             the state found, until the next one is near. None: it never does.
+        may_hold: Whether the last state found will do where none is found once the stabilisation has let go of it.
         max_updates: Contact updates before the increment counts as failed.
         in_passing: Whether updates may stop at `max_updates` without a consistent pairing, as while
             a rope is formed and each increment is but one step on the way.
@@ -43,6 +45,7 @@ class IncrementOptions:
     pairing_tolerance: float = 1e-3
     penetration: float | None = None
     stabilisation: float | None = None
+    may_hold: bool = False
     max_updates: int = 40
     in_passing: bool = False
 
@@ -59,6 +62,7 @@ class Increment:
         friction_work: Work dissipated by friction, mJ.
         penetration: Deepest penetration, mm, at least 0.
         contact_elements: Their number, all processes.
+        held: Whether the stabilisation could not let go of it.
     """
 
     q: Floats
@@ -70,6 +74,7 @@ class Increment:
     friction_work: float
     penetration: float
     contact_elements: int
+    held: bool = False
 
 
 class Incrementer:
@@ -119,17 +124,20 @@ class Incrementer:
         self.contact.scale_stiffness(stiffening)
         if options.penetration is not None:
             self.contact.adopt_stiffness()
-        trial = Trial(guess, loose=self._is_loose(start))
+        trial, held = Trial(guess, loose=self._is_loose(start)), False
         try:
             while not self._accepted(trial, options) or self._lets_go(trial, options):
                 self._improve(trial, options.in_passing)
+            work = self.proximal.work(trial.q)
         except Diverged as failure:
-            failure.pairs = self.contact.worst_pairs()
-            self.contact.restore(before)
-            raise
+            if trial.held_state is None:
+                failure.pairs = self.contact.worst_pairs()
+                self.contact.restore(before)
+                raise
+            LOGGER.debug("stabilisation does not let go: %s", failure)
+            work, held = self._take_back(trial, trial.held_state), True
         finally:
             self.proximal.damping = np.zeros_like(guess)
-        work = self.proximal.work(trial.q)
         done = self.contact.commit(trial.q)
         return Increment(
             trial.q,
@@ -139,6 +147,7 @@ class Incrementer:
             trial.residual,
             work,
             *done,
+            held,
         )
 
     def _is_loose(self, q: Floats) -> bool:
@@ -168,7 +177,7 @@ class Incrementer:
             return True
         if trial.updates and not consistent and not fresh:
             trial.judge(trial.norm > SLOW * last)
-        if trial.updates < options.max_updates:
+        if trial.updates < min(options.max_updates, trial.most_updates):
             return False
         why = "penetration above tolerance" if trial.raised else f"residual {trial.residual:.1e}"
         raise trial.failed(f"no consistent pairing after {trial.updates} contact updates, {why}")
@@ -179,11 +188,21 @@ class Incrementer:
         if trial.releases >= RELEASES or self.proximal.work(trial.q) <= most:
             return False
         trial.releases += 1
+        if options.may_hold:
+            elements, work = self.contact.elements.copy(), self.proximal.work(trial.q)
+            trial.held_state = HeldState(trial.q, elements, trial.residual, work)
+            trial.most_updates = trial.updates + FREED
         self.proximal.start = trial.q
         self.proximal.ease(LETTING_GO)
         self._measure(trial)
         # What it held may be less than what an equilibrium may leave.
         return trial.residual >= options.pairing_tolerance
+
+    def _take_back(self, trial: Trial, held: HeldState) -> float:
+        """Goes back to a state that the stabilisation holds; the work that it does there, mJ."""
+        self.contact.restore(held.elements)
+        trial.q, trial.residual = held.q, held.residual
+        return held.work
 
     def _update(self, trial: Trial) -> None:
         """New contact elements, and the residual they leave."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -36,6 +37,23 @@ class Diverged(Exception):
         return ", ".join(dict.fromkeys(named)) or "none"
 
 
+@dataclass(frozen=True)
+class HeldState:
+    """An equilibrium that the stabilisation holds.
+
+    Attributes:
+        q: Unknowns, shape (num_unknowns,).
+        elements: Its contact elements (engine object).
+        residual: Relative residual with them.
+        work: Of the stabilisation, mJ.
+    """
+
+    q: Floats
+    elements: Any
+    residual: float
+    work: float
+
+
 @dataclass
 class Trial:
     """An increment in the making.
@@ -54,6 +72,8 @@ class Trial:
         raised: Penalties raised by the last update.
         exhausted: Times that Newton did not converge.
         releases: Times that the stabilisation let go.
+        held_state: What it let go of, where that will do.
+        most_updates: How many there may be.
         updates, iterations, solves: Done so far.
     """
 
@@ -71,6 +91,8 @@ class Trial:
     raised: int = 0
     exhausted: int = 0
     releases: int = 0
+    held_state: HeldState | None = None
+    most_updates: float = np.inf
     updates: int = 0
     iterations: int = 0
     solves: int = 0
