@@ -19,7 +19,9 @@ FULL = (
     1e-3  # strain of the yarns, in the mean, from which on the stabilisation is what the scene says
 )
 SLACK = 1e-6  # mean strain below which yarns are slack
-HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave
+HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave, and
+HOLDABLE = 2e-3  # that it may where the rope is not found without: all increments of a pull leave less than 1 %
+LEAST_ENERGY = 1e-12  # mJ; slack yarns have none
 EASED = 0.1  # least share of themselves that penalties fall to in an increment
 LEAST = 0.01  # share of it that is left where yarns are slack
 BENT = 1e-3  # of a yarn radius: distance from rigid that is left to a group of ends
@@ -35,7 +37,7 @@ class Puller:
         share: What is reached of what groups of ends ask for, 0 to 1.
         calming: Factor on the stabilisation that the scene asks for.
         releases: Whether the stabilisation lets go of states found.
-        may_hold: Whether states that it holds will do where it cannot.
+        may_hold: Its work over the energy up to which a state will do where it cannot.
         eases: Whether penalties fall with the tension of yarns, too, and do not only rise with it.
     """
 
@@ -45,7 +47,7 @@ class Puller:
         self.share = state.progress.get("share", 0.0)
         self.calming = state.progress.get("calming", 1.0)
         self.releases = True
-        self.may_hold = False
+        self.may_hold = HOLDABLE
         self.eases = False
         # Mean tension of the yarns that penalties are made for: they go with what is expected of increments.
         self._made_for = state.progress.get("tension", 0.0) or self._mean_tension(state.q)
@@ -136,8 +138,9 @@ class Puller:
         self._expected = max(self._mean_tension(first), least * self._made_for)
         slack = self._made_for < SLACK * model.scene.yarn.axial_stiffness
         stiffening = 1.0 if slack else self._expected / self._made_for
-        most = HELD * model.internal_energy(first) if self.releases else None
-        options = replace(self._options, stabilisation=most, may_hold=self.may_hold)
+        energy = max(model.internal_energy(first), LEAST_ENERGY)
+        most, may_hold = HELD * energy if self.releases else None, self.may_hold * energy
+        options = replace(self._options, stabilisation=most, may_hold=may_hold)
         return model.incrementer.solve(self.state.q, first, options, stiffening)
 
     def _is_rigid(self, q: Floats) -> bool:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+import numpy as np
+
 from ..scene import Settle
 from ..solver.increment import Increment
 from .attempt import Attempt
 from .model import RopeModel
 from .outcome import Outcome
 from .pull import outcome
-from .puller import Puller
+from .puller import LEAST_ENERGY, Puller
 from .state import State
 
 SETTLED = 0.05  # settled: the force is missed by less than this fraction (at zero force: yarns
@@ -44,7 +46,7 @@ class Settler:
         self.model, self.step = model, step
         self._puller = Puller(model, state)
         # A rope that cannot be let go of yet is nearer to rest in the state found, and the next increment starts there.
-        self._puller.may_hold = True
+        self._puller.may_hold = np.inf
         self._parallel = model.rope.num_yarns * model.scene.yarn.axial_stiffness
         self._wanted = 1e3 * step.force
         self._near = max(SETTLED * self._wanted, UNSTRETCHED * self._parallel)
@@ -94,7 +96,7 @@ class Settler:
     def _held_share(self, increment: Increment) -> float:
         """Work of the stabilisation over the internal energy."""
         energy = self.model.internal_energy(increment.q)
-        return increment.stabilisation_work / max(energy, 1e-12)
+        return increment.stabilisation_work / max(energy, LEAST_ENERGY)
 
     def _aim(self) -> None:
         """Where the end is moved next."""

@@ -36,7 +36,8 @@ class IncrementOptions:
         penetration: Largest penetration accepted, mm; None leaves the penalty as it is.
         stabilisation: Work of the stabilisation above which it lets go, mJ: it then acts against departures from
             the state found, until the next one is near. None: it never does.
-        may_hold: Whether the last state found will do where none is found once the stabilisation has let go of it.
+        may_hold: Work of the stabilisation up to which the last state found will do where none is found once it has let
+            go of that, mJ.
         max_updates: Contact updates before the increment counts as failed.
         in_passing: Whether updates may stop at `max_updates` without a consistent pairing, as while
             a rope is formed and each increment is but one step on the way.
@@ -45,7 +46,7 @@ class IncrementOptions:
     pairing_tolerance: float = 1e-3
     penetration: float | None = None
     stabilisation: float | None = None
-    may_hold: bool = False
+    may_hold: float = 0.0
     max_updates: int = 40
     in_passing: bool = False
 
@@ -185,11 +186,12 @@ class Incrementer:
     def _lets_go(self, trial: Trial, options: IncrementOptions) -> bool:
         """Whether the stabilisation still holds the state found, which it lets go then."""
         most = np.inf if options.stabilisation is None else options.stabilisation
-        if trial.releases >= RELEASES or self.proximal.work(trial.q) <= most:
+        work = self.proximal.work(trial.q)
+        if trial.releases >= RELEASES or work <= most:
             return False
         trial.releases += 1
-        if options.may_hold:
-            elements, work = self.contact.elements.copy(), self.proximal.work(trial.q)
+        if work <= options.may_hold:
+            elements = self.contact.elements.copy()
             trial.held_state = HeldState(trial.q, elements, trial.residual, work)
             trial.most_updates = trial.updates + FREED
         self.proximal.start = trial.q
