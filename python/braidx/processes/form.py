@@ -26,6 +26,7 @@ from .directors import with_directors
 from .model import RopeModel
 from .outcome import NotConverged, Outcome
 from .rope_contact import AXIS, core_walls, set_friction
+from .sharp_bends import HOOKED, sharpest_bend
 from .state import State
 
 STRETCH = 10.0  # axial stiffness over tension: holds nodes apart within an increment
@@ -43,6 +44,7 @@ COARSER = 2.0  # factor on the spacing of stations until then
 PASSING = (1e-2, 8)  # tolerance and iterations of Newton for states that are only passed through
 REST = 2  # increments that the rope is given to come to rest, with consistent pairs
 ONCE_MORE = {"rested": REST - 1.0, "stiffening": 1.0}  # comes to rest after a part of it did
+AT_REST = 20  # contact updates in which it has to; those that do take a few
 RETRIES = 4  # doublings of the viscosity before forming gives up
 SNAPSHOTS = 4  # pictures on the way
 
@@ -205,7 +207,7 @@ class Former:
         newton.tolerance, newton.max_iterations = PASSING
         newton.bold = False
         if number["pressed"] and number["open"]:
-            options = IncrementOptions(penetration=self._tolerance)
+            options = IncrementOptions(penetration=self._tolerance, max_updates=AT_REST)
             newton.restore_options()
             newton.bold = True
             contact.laws.gap_step = -1.0
@@ -223,9 +225,18 @@ class Former:
                 LOGGER.warning("forming: %s; stabilisation doubled", failure)
                 last = failure
         raise NotConverged(
-            f"forming stopped: {last}; deepest contacts between yarns {last.deepest}; "
-            "try a smaller form.gap_reduction, a higher form.viscosity or a larger form.die_diameter"
+            f"forming stopped: {last}; deepest contacts between yarns {last.deepest}; {self._cure()}"
         )
+
+    def _cure(self) -> str:
+        """What may help, by how sharply yarns are bent."""
+        bend, yarn = sharpest_bend(self.model.centre_lines(self.state.q), self.model.rope.radius)
+        if bend < HOOKED:
+            return (
+                f"yarn {yarn} is bent to {bend:.2g} of its radius, hooked into others; try a longer rope.pitch, "
+                "thinner yarns or a core"
+            )
+        return "try a smaller form.gap_reduction, a higher form.viscosity or a larger form.die_diameter"
 
     def _advance(self, increment: Increment) -> None:
         """What the next increment does: separate, raise the penalty, rest."""
