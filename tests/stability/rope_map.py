@@ -1,4 +1,4 @@
-"""Map of the random ropes: how steep their yarns are, and how rough; one picture per kind."""
+"""Map of the random ropes: how steep their yarns are, and how sharply bent; one picture per kind."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 
+from braidx.processes.sharp_bends import HOOKED
 from family import Family
 from judge import Outcome
 from maps import LOOKS
@@ -25,19 +27,21 @@ def draw_ropes(family: Family, outcomes: Sequence[Outcome], path: Path) -> None:
             chosen = [outcome for outcome in mine if outcome.status == status]
             frame.scatter(
                 [outcome.values["angle"] for outcome in chosen],
-                [outcome.values["friction"] for outcome in chosen],
+                [outcome.values.get("bend", np.nan) for outcome in chosen],
                 s=42,
                 c=colour,
                 marker=marker,
                 linewidths=0,
                 zorder=3,
             )
+        frame.axhline(HOOKED, color="0.5", linewidth=0.8, linestyle="--")
+        frame.set_yscale("log")
         frame.grid(alpha=0.3)
         frame.margins(0.06)
     for frame in axes[1]:
         frame.set_xlabel("angle of yarns from the axis (degrees)")
     for frame in axes[:, 0]:
-        frame.set_ylabel("coefficient of friction")
+        frame.set_ylabel("sharpest bend: radius over that of the yarn")
     for status, (colour, marker, label) in LOOKS.items():
         count = sum(outcome.status == status for outcome in outcomes)
         axes[0, 0].scatter([], [], s=60, c=colour, marker=marker, label=f"{label} ({count})")

@@ -17,13 +17,14 @@ from braidx.cli.folder import create_folder
 from braidx.geometry import build_rope
 from braidx.geometry.closed_forms import helix_angle
 from braidx.geometry.strand import strand_section
-from braidx.output import history
+from braidx.output import history, snapshot
 from braidx.processes import NotConverged, run
+from braidx.processes.sharp_bends import sharpest_bend
 from braidx.scene import Bend, Scene, SceneError
 from braidx.scene.build import scene_from_dict
 from family import Family
 from judge import CONVERGED, ENERGY, FAILED, REFUSED, WRONG, Outcome
-from rope_judge import RopeRun
+from rope_judge import RopeRun, row_of
 from rope_map import draw_ropes
 from rope_recipes import KINDS, NUMBER, Recipe, recipes
 
@@ -87,8 +88,18 @@ def judged(case: tuple[float, ...], scene: Scene, folder: Path, message: str) ->
         found["penetration"],
         1.0 - found["overlap"] / 2.0,
         found["energy"],
-        values={name: found[name] for name in ("burst", "held", "diameter")},
+        values={
+            **{name: found[name] for name in ("burst", "held", "diameter")},
+            "bend": _sharpest(folder, scene.yarn.radius),
+        },
     )
+
+
+def _sharpest(folder: Path, radius: float) -> float:
+    """Least radius of curvature of all yarns over their own, in the last state that the run has kept."""
+    pictures = sorted((folder / "snapshots").glob("*.npz"), key=row_of)
+    lines = snapshot.load(pictures[-1]).centre_lines if pictures else []
+    return sharpest_bend(lines, np.full(len(lines), radius))[0] if lines else math.nan
 
 
 def _misplaced(found: dict[str, float], scene: Scene) -> list[tuple[str, bool]]:

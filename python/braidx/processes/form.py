@@ -214,7 +214,9 @@ class Former:
             friction = self.step.friction
             friction = self.model.scene.contact.friction if friction is None else friction
             set_friction(contact, friction, friction)
-        for retry in range(RETRIES + 1):
+        bend, yarn = sharpest_bend(self.model.centre_lines(self.state.q), self.model.rope.radius)
+        # What is hooked into others is not found with more stabilisation, either.
+        for retry in range(RETRIES + 1 if bend > HOOKED else 2):
             viscosity = self._viscosity * 2**retry
             self.model.set_viscosity(viscosity, self._turning * viscosity)
             try:
@@ -224,19 +226,15 @@ class Former:
             except Diverged as failure:
                 LOGGER.warning("forming: %s; stabilisation doubled", failure)
                 last = failure
-        raise NotConverged(
-            f"forming stopped: {last}; deepest contacts between yarns {last.deepest}; {self._cure()}"
-        )
-
-    def _cure(self) -> str:
-        """What may help, by how sharply yarns are bent."""
-        bend, yarn = sharpest_bend(self.model.centre_lines(self.state.q), self.model.rope.radius)
-        if bend < HOOKED:
-            return (
-                f"yarn {yarn} is bent to {bend:.2g} of its radius, hooked into others; try a longer rope.pitch, "
+        cure = "try a smaller form.gap_reduction, a higher form.viscosity or a larger form.die_diameter"
+        if bend <= HOOKED:
+            cure = (
+                f"yarn {yarn} is bent to {bend:.2g} times its radius, hooked into others: try a longer rope.pitch, "
                 "thinner yarns or a core"
             )
-        return "try a smaller form.gap_reduction, a higher form.viscosity or a larger form.die_diameter"
+        raise NotConverged(
+            f"forming stopped: {last}; deepest contacts between yarns {last.deepest}; {cure}"
+        )
 
     def _advance(self, increment: Increment) -> None:
         """What the next increment does: separate, raise the penalty, rest."""

@@ -20,9 +20,9 @@ def sharpest_bend(lines: Sequence[Floats], radius: Floats) -> tuple[float, int]:
         lines: Nodes of the centre line of each yarn, shape (num_nodes, 3), mm.
         radius: Of each yarn, shape (num_yarns,), mm.
     """
-    return min(
-        (_radius_of_curvature(line) / r, i) for i, (line, r) in enumerate(zip(lines, radius))
-    )
+    ratios = [_radius_of_curvature(line) / float(r) for line, r in zip(lines, radius, strict=True)]
+    sharpest = int(np.argmin(ratios))
+    return ratios[sharpest], sharpest
 
 
 def _radius_of_curvature(line: Floats) -> float:
