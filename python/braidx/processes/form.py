@@ -230,7 +230,7 @@ class Former:
         if bend <= HOOKED:
             cure = (
                 f"yarn {yarn} is bent to {bend:.2g} times its radius, hooked into others: try a longer rope.pitch, "
-                "thinner yarns or a core"
+                "thinner yarns or a thick core"
             )
         raise NotConverged(
             f"forming stopped: {last}; deepest contacts between yarns {last.deepest}; {cure}"

@@ -20,7 +20,7 @@ FULL = (
 )
 SLACK = 1e-6  # mean strain below which yarns are slack
 HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave, and
-HOLDABLE = 2e-3  # that it may where the rope is not found without: all increments of a pull leave less than 1 %
+HOLDABLE = 2e-3  # that it may where the rope is not found without: all of a pull leave less than 1 % in the end
 LEAST_ENERGY = 1e-12  # mJ; slack yarns have none
 EASED = 0.1  # least share of themselves that penalties fall to in an increment
 LEAST = 0.01  # share of it that is left where yarns are slack

@@ -8,9 +8,7 @@ import numpy as np
 
 from ..system.constraints import Floats
 
-HOOKED = (
-    2.0  # radius of curvature over that of the yarn of one that lies around another at right angles
-)
+HOOKED = 2.0  # radius of curvature over that of the yarn, of one that lies across another
 
 
 def sharpest_bend(lines: Sequence[Floats], radius: Floats) -> tuple[float, int]:
