@@ -21,6 +21,7 @@ FULL = (
 SLACK = 1e-6  # mean strain below which yarns are slack
 HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave, and
 HOLDABLE = 2e-3  # that it may where the rope is not found without: all of a pull leave less than 1 % in the end
+IN_VAIN = 15  # contact updates in a row that come no nearer; of increments that are found most take less than 10
 LEAST_ENERGY = 1e-12  # mJ; slack yarns have none
 EASED = 0.1  # least share of themselves that penalties fall to in an increment
 LEAST = 0.01  # share of it that is left where yarns are slack
@@ -54,7 +55,7 @@ class Puller:
         self._expected = self._made_for
         scene = model.scene
         penetration = scene.contact.penetration_tolerance * model.rope.radius.min()
-        self._options = IncrementOptions(penetration=penetration)
+        self._options = IncrementOptions(penetration=penetration, most_in_vain=IN_VAIN)
         self._bent = BENT * model.rope.radius.min()
 
     def to(self, strain: float, share: float | None = None, part: float = 1.0) -> Attempt:

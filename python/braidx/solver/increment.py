@@ -39,6 +39,7 @@ class IncrementOptions:
         may_hold: Work of the stabilisation up to which the last state found will do where none is found once it has let
             go of that, mJ.
         max_updates: Contact updates before the increment counts as failed.
+        most_in_vain: Of them in a row that may leave no smaller residual than one before.
         in_passing: Whether updates may stop at `max_updates` without a consistent pairing, as while
             a rope is formed and each increment is but one step on the way.
     """
@@ -48,6 +49,7 @@ class IncrementOptions:
     stabilisation: float | None = None
     may_hold: float = 0.0
     max_updates: int = 40
+    most_in_vain: int = 40
     in_passing: bool = False
 
 
@@ -178,7 +180,9 @@ class Incrementer:
             return True
         if trial.updates and not consistent and not fresh:
             trial.judge(trial.norm > SLOW * last)
-        if trial.updates < min(options.max_updates, trial.most_updates):
+        trial.note(anew=fresh)
+        most = min(options.max_updates, trial.most_updates)
+        if trial.updates < most and trial.in_vain < options.most_in_vain:
             return False
         why = "penetration above tolerance" if trial.raised else f"residual {trial.residual:.1e}"
         raise trial.failed(f"no consistent pairing after {trial.updates} contact updates, {why}")
@@ -190,6 +194,7 @@ class Incrementer:
         if trial.releases >= RELEASES or work <= most:
             return False
         trial.releases += 1
+        trial.note(anew=True)
         if work <= options.may_hold:
             elements = self.contact.elements.copy()
             trial.held_state = HeldState(trial.q, elements, trial.residual, work)

@@ -74,6 +74,7 @@ class Trial:
         releases: Times that the stabilisation let go.
         held_state: What it let go of, where that will do.
         most_updates: How many there may be.
+        least, in_vain: Smallest residual until now, and updates since.
         updates, iterations, solves: Done so far.
     """
 
@@ -93,6 +94,8 @@ class Trial:
     releases: int = 0
     held_state: HeldState | None = None
     most_updates: float = np.inf
+    least: float = np.inf
+    in_vain: int = 0
     updates: int = 0
     iterations: int = 0
     solves: int = 0
@@ -101,6 +104,12 @@ class Trial:
         self.updates += 1
         self.iterations += result.iterations
         self.solves += result.linear_solves
+
+    def note(self, anew: bool) -> None:
+        """Counts updates that leave no smaller residual; where something else has changed, from now on."""
+        nearer = anew or self.residual < self.least
+        self.in_vain = 0 if nearer else self.in_vain + 1
+        self.least = np.inf if anew else min(self.least, self.residual)
 
     def judge(self, slow: bool) -> None:
         """Damps updates that do not approach each other, and now and then does without.

@@ -218,3 +218,11 @@ def test_a_state_that_cannot_be_let_go_of_will_do_where_that_is_allowed(monkeypa
     assert increment.held and not expected.held
     assert increment.stabilisation_work == expected.stabilisation_work > 1e-9
     assert increment.iterations > expected.iterations  # what was tried in vain counts
+
+
+def test_updates_that_come_no_nearer_end_the_increment():
+    model, q = short_strand()
+    options = IncrementOptions(pairing_tolerance=0.0, max_updates=30, most_in_vain=2)
+    with pytest.raises(Diverged) as failure:
+        pull(model, q, 1e-3, options)
+    assert 2 < int(str(failure.value).split("after ")[1].split()[0]) < 30

@@ -39,3 +39,15 @@ def test_pairs_of_a_failure_are_told_by_their_numbers():
     assert failure.deepest == "none"
     failure.pairs = [(4, 7), (2, -1), (2, -2)]
     assert failure.deepest == "4-7, 2-rigid"
+
+
+def test_updates_in_vain_are_counted_from_the_least_residual_on():
+    trial, counts = Trial(np.zeros(3), loose=False), []
+    for residual, anew in [(0.5, False), (0.6, False), (0.4, False), (0.4, False), (0.9, True)]:
+        trial.residual = residual
+        trial.note(anew)
+        counts.append(trial.in_vain)
+    assert counts == [0, 1, 0, 1, 0]
+    trial.residual = 0.8  # what came before the change does not count
+    trial.note(False)
+    assert trial.in_vain == 0
