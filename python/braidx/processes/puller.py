@@ -140,7 +140,9 @@ class Puller:
         slack = self._made_for < SLACK * model.scene.yarn.axial_stiffness
         stiffening = 1.0 if slack else self._expected / self._made_for
         energy = max(model.internal_energy(first), LEAST_ENERGY)
-        most, may_hold = HELD * energy if self.releases else None, self.may_hold * energy
+        # What could not be let go of once is not tried to as long as it is held by little.
+        left = HOLDABLE if self.state.progress.get("stuck", 0.0) else HELD
+        most, may_hold = left * energy if self.releases else None, self.may_hold * energy
         options = replace(self._options, stabilisation=most, may_hold=may_hold)
         return model.incrementer.solve(self.state.q, first, options, stiffening)
 
@@ -176,6 +178,7 @@ class Puller:
                 "strain": strain,
                 "share": share,
                 "tension": self._made_for,
+                "stuck": max(self.state.progress.get("stuck", 0.0), float(increment.held)),
             },
             stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
             friction_work=self.state.friction_work + increment.friction_work,
