@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..output.log import LOGGER
 from ..scene import Hold, Settle
 from ..solver.increment import Diverged, Increment, IncrementOptions
 from ..system.constraints import Floats
@@ -20,7 +21,11 @@ FULL = (
 )
 SLACK = 1e-6  # mean strain below which yarns are slack
 HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave, and
-HOLDABLE = 2e-3  # that it may where the rope is not found without: all of a pull leave less than 1 % in the end
+HOLDABLE = 1e-3  # that it may where it cannot let go: all of a pull leave less than 1 % in the end
+RESTS = 20  # increments at the same strain until then
+HARD, EASY = 20, 8  # Newton iterations of an increment on the way to rest, and
+CALM = 4.0  # factor on the stabilisation then, and
+CALMEST = 4.0**-4  # the least that it becomes
 IN_VAIN = 15  # contact updates in a row that come no nearer; of increments that are found most take less than 10
 LEAST_ENERGY = 1e-12  # mJ; slack yarns have none
 EASED = 0.1  # least share of themselves that penalties fall to in an increment
@@ -38,7 +43,7 @@ class Puller:
         share: What is reached of what groups of ends ask for, 0 to 1.
         calming: Factor on the stabilisation that the scene asks for.
         releases: Whether the stabilisation lets go of states found.
-        may_hold: Its work over the energy up to which a state will do where it cannot.
+        rests: Whether a rope that it cannot let go of comes to rest, at the strain that it is pulled to.
         eases: Whether penalties fall with the tension of yarns, too, and do not only rise with it.
     """
 
@@ -48,14 +53,16 @@ class Puller:
         self.share = state.progress.get("share", 0.0)
         self.calming = state.progress.get("calming", 1.0)
         self.releases = True
-        self.may_hold = HOLDABLE
+        self.rests = True
         self.eases = False
         # Mean tension of the yarns that penalties are made for: they go with what is expected of increments.
         self._made_for = state.progress.get("tension", 0.0) or self._mean_tension(state.q)
         self._expected = self._made_for
         scene = model.scene
         penetration = scene.contact.penetration_tolerance * model.rope.radius.min()
-        self._options = IncrementOptions(penetration=penetration, most_in_vain=IN_VAIN)
+        self._options = IncrementOptions(
+            penetration=penetration, most_in_vain=IN_VAIN, may_hold=True
+        )
         self._bent = BENT * model.rope.radius.min()
 
     def to(self, strain: float, share: float | None = None, part: float = 1.0) -> Attempt:
@@ -83,7 +90,52 @@ class Puller:
             lambda fraction, failure: self._give_up(self.strain + fraction * step, failure),
         )
         part = done.fraction
+        before = self.state.stabilisation_work
         self._take(done.increment, self.strain + part * step, self.share + part * growth)
+        return self._come_to_rest(done, before) if self.rests and self._stuck else done
+
+    @property
+    def _stuck(self) -> bool:
+        """Whether the stabilisation could not let go of a state of this step."""
+        return bool(self.state.progress.get("stuck", 0.0))
+
+    def held_share(self, increment: Increment) -> float:
+        """Work of the stabilisation over the internal energy."""
+        energy = self.model.internal_energy(increment.q)
+        return increment.stabilisation_work / max(energy, LEAST_ENERGY)
+
+    def calm(self, iterations: int) -> None:
+        """More stabilisation for a rope that is found with pains, less, and more way to go, for one found with ease."""
+        if iterations > HARD:
+            self.calming *= CALM
+        elif iterations < EASY:
+            self.calming = max(self.calming / CALM, CALMEST)
+
+    def _come_to_rest(self, done: Attempt, before: float) -> Attempt:
+        """Increments at the same strain, each held from where the last one was found, until little is held.
+
+        Args:
+            done: How the rope came to that strain.
+            before: Work of the stabilisation until then, to which what is held in the end is added, mJ.
+        """
+        calming, iterations, solves = self.calming, done.iterations, done.linear_solves
+        for _ in range(RESTS):
+            if self.held_share(done.increment) < HOLDABLE:
+                break
+            try:
+                self._stabilise(0)
+                found = self._increment(self.strain, self.share)
+            except Diverged as failure:
+                LOGGER.debug("not at rest: %s", failure)
+                self.calming *= CALM
+                continue
+            self._take(found, self.strain, self.share)
+            iterations, solves = iterations + found.iterations, solves + found.linear_solves
+            done = replace(done, increment=found, iterations=iterations, linear_solves=solves)
+            self.calm(found.iterations)
+        self.calming = calming
+        work = before + done.increment.stabilisation_work
+        self.state = replace(self.state, stabilisation_work=work)
         return done
 
     def _cuts_left(self, part: float) -> int:
@@ -139,11 +191,9 @@ class Puller:
         self._expected = max(self._mean_tension(first), least * self._made_for)
         slack = self._made_for < SLACK * model.scene.yarn.axial_stiffness
         stiffening = 1.0 if slack else self._expected / self._made_for
-        energy = max(model.internal_energy(first), LEAST_ENERGY)
-        # What could not be let go of once is not tried to as long as it is held by little.
-        left = HOLDABLE if self.state.progress.get("stuck", 0.0) else HELD
-        most, may_hold = left * energy if self.releases else None, self.may_hold * energy
-        options = replace(self._options, stabilisation=most, may_hold=may_hold)
+        lets_go = self.releases and not (self.rests and self._stuck)
+        most = HELD * model.internal_energy(first) if lets_go else None
+        options = replace(self._options, stabilisation=most)
         return model.incrementer.solve(self.state.q, first, options, stiffening)
 
     def _is_rigid(self, q: Floats) -> bool:

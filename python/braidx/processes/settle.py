@@ -5,23 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-import numpy as np
-
 from ..scene import Settle
-from ..solver.increment import Increment
-from .attempt import Attempt
 from .model import RopeModel
 from .outcome import Outcome
 from .pull import outcome
-from .puller import LEAST_ENERGY, Puller
+from .puller import Puller
 from .state import State
 
 SETTLED = 0.05  # settled: the force is missed by less than this fraction (at zero force: yarns
 UNSTRETCHED = 1e-6  # would be strained by less than this), and
 STRIDES = 4.0  # most of what parallel yarns would need that the end is moved by
-HARD, EASY = 20, 8  # Newton iterations of an increment on the way to rest, and
-CALM = 4.0  # factor on the stabilisation then, and
-LEAST = 4.0**-4  # the least that it becomes
 REST = 1e-3  # the stabilisation's work in an increment, over the internal energy
 LITTLE = 0.01  # its share below which a stabilisation that could not let go once tries to again
 
@@ -45,8 +38,7 @@ class Settler:
     def __init__(self, model: RopeModel, state: State, step: Settle) -> None:
         self.model, self.step = model, step
         self._puller = Puller(model, state)
-        # A rope that cannot be let go of yet is nearer to rest in the state found, and the next increment starts there.
-        self._puller.may_hold = np.inf
+        self._puller.rests = False  # within an increment: that is what all of them are for
         self._parallel = model.rope.num_yarns * model.scene.yarn.axial_stiffness
         self._wanted = 1e3 * step.force
         self._near = max(SETTLED * self._wanted, UNSTRETCHED * self._parallel)
@@ -73,12 +65,14 @@ class Settler:
         puller.releases = self._has_arrived and number["held"] < LITTLE
         attempt = puller.to(number["target"], share)
         number["settled"] += 1
-        held = self._held_share(attempt.increment)
+        held = puller.held_share(attempt.increment)
         number["held"] = held if attempt.increment.held or number["held"] else 0.0
         self._aim()
         if held < REST and self._has_arrived and puller.grown(self.step):
             number["settled"] = float(increments)
-        self._calm(attempt)
+        puller.calm(attempt.iterations)
+        if number["settled"] >= increments - 1:  # the last one is to be at rest
+            puller.calming = min(puller.calming, 1.0)
         puller.state = replace(
             puller.state,
             # On the way to rest the stabilisation works as it should: what counts is what it still does there.
@@ -93,11 +87,6 @@ class Settler:
         """Whether the end stays where it is, under no more stabilisation than the scene asks for."""
         return self._number["target"] == self._puller.strain and self._puller.calming <= 1.0
 
-    def _held_share(self, increment: Increment) -> float:
-        """Work of the stabilisation over the internal energy."""
-        energy = self.model.internal_energy(increment.q)
-        return increment.stabilisation_work / max(energy, LEAST_ENERGY)
-
     def _aim(self) -> None:
         """Where the end is moved next."""
         number, strain = self._number, self._puller.strain
@@ -107,13 +96,3 @@ class Settler:
         number["missing"] = missing
         way = number["stride"] * missing / self._parallel
         number["target"] = strain + (way if abs(missing) > self._near else 0.0)
-
-    def _calm(self, attempt: Attempt) -> None:
-        """More stabilisation for a rope that is found with pains, less, and more way to go, for one found with ease."""
-        puller = self._puller
-        if attempt.iterations > HARD:
-            puller.calming *= CALM
-        elif attempt.iterations < EASY:
-            puller.calming = max(puller.calming / CALM, LEAST)
-        if self._number["settled"] >= self.step.increments - 1:  # the last one is to be at rest
-            puller.calming = min(puller.calming, 1.0)

@@ -36,8 +36,7 @@ class IncrementOptions:
         penetration: Largest penetration accepted, mm; None leaves the penalty as it is.
         stabilisation: Work of the stabilisation above which it lets go, mJ: it then acts against departures from
             the state found, until the next one is near. None: it never does.
-        may_hold: Work of the stabilisation up to which the last state found will do where none is found once it has let
-            go of that, mJ.
+        may_hold: Whether the last state found will do where none is found once the stabilisation has let go of it.
         max_updates: Contact updates before the increment counts as failed.
         most_in_vain: Of them in a row that may leave no smaller residual than one before.
         in_passing: Whether updates may stop at `max_updates` without a consistent pairing, as while
@@ -47,7 +46,7 @@ class IncrementOptions:
     pairing_tolerance: float = 1e-3
     penetration: float | None = None
     stabilisation: float | None = None
-    may_hold: float = 0.0
+    may_hold: bool = False
     max_updates: int = 40
     most_in_vain: int = 40
     in_passing: bool = False
@@ -195,7 +194,7 @@ class Incrementer:
             return False
         trial.releases += 1
         trial.note(anew=True)
-        if work <= options.may_hold:
+        if options.may_hold:
             elements = self.contact.elements.copy()
             trial.held_state = HeldState(trial.q, elements, trial.residual, work)
             trial.most_updates = trial.updates + FREED

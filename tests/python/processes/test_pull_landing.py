@@ -17,6 +17,7 @@ STIFFNESS = 1e7  # N
 @dataclass(frozen=True)
 class State:
     progress: dict = field(default_factory=dict)
+    stabilisation_work: float = 0.0
 
 
 @dataclass
@@ -62,6 +63,7 @@ class Stuck(Puller):
         solver = SimpleNamespace(max_cuts=max_cuts)
         self.model = SimpleNamespace(scene=SimpleNamespace(solver=solver))
         self.strain, self.share, self.end, self.state = 0.0, 0.0, end, State()
+        self.rests = False
 
     def _stabilise(self, cuts):
         pass

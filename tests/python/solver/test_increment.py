@@ -183,7 +183,7 @@ def test_stabilisation_lets_go_of_the_state_found():
     assert unbalanced[1] < 0.3 * unbalanced[0]
 
 
-@pytest.mark.parametrize("may_hold", [1e3, 1e-9])
+@pytest.mark.parametrize("may_hold", [True, False])
 def test_a_state_that_cannot_be_let_go_of_will_do_where_that_is_allowed(monkeypatch, may_hold):
     """It is the one that is found with the stabilisation, and so is the work that is told."""
 
@@ -208,7 +208,7 @@ def test_a_state_that_cannot_be_let_go_of_will_do_where_that_is_allowed(monkeypa
     monkeypatch.setattr(ProximalTerm, "ease", note)
     monkeypatch.setattr(Newton, "solve", lost_once_let_go)
     options = IncrementOptions(stabilisation=1e-9, may_hold=may_hold)
-    if may_hold < 1.0:
+    if not may_hold:
         with pytest.raises(Diverged):
             held(options)
         return
