@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 
 import numpy as np
 
@@ -105,7 +106,8 @@ def final_results(scene: Scene, rope: Rope, rows: Mapping[str, np.ndarray]) -> d
     if pulled.sum() >= 2 and rows["force (kN)"][pulled].max() > 0:
         strain = rows["rope strain (-)"][pulled].astype(float)
         force = rows["force (kN)"][pulled].astype(float)
-        stiffness = linear_fit(strain, force).stiffness
-        results["rope_axial_stiffness"] = stiffness
-        results["efficiency"] = stiffness * 1e3 / (rope.num_yarns * scene.yarn.axial_stiffness)
+        with suppress(ValueError):  # a pull that ended early may have no linear part
+            stiffness = linear_fit(strain, force).stiffness
+            results["rope_axial_stiffness"] = stiffness
+            results["efficiency"] = stiffness * 1e3 / (rope.num_yarns * scene.yarn.axial_stiffness)
     return results
