@@ -58,8 +58,8 @@ FAMILY = Family(
     logarithmic=(False, True),
     means=(
         "Knots can be tightened until they lock, at 30 to 40 radii: the force (over modulus and squared radius) grows "
-        "from 0.002 to 0.032 without friction, and to 0.1 with 0.5. Which of them get from 40 to 30 is a matter of chance: "
-        "one machine found those with friction, another the one without. It is the dearest of all "
+        "from 0.002 to 0.032 without friction, and to 0.1 with 0.5. Which of them get from 40 to 30 is a matter of "
+        "chance: one machine found those with friction, another the one without. It is the dearest of all "
         "families: contacts along the crossing strands come and go from one repetition of the pairing to the next, and "
         "most increments are cut. Use short elements: with 1.6 radii, not 1.25 as here, knots stopped at 70 radii. "
         "Beyond the lock no equilibrium is found, with a message."

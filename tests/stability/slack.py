@@ -54,8 +54,8 @@ BRAID = Family(
     logarithmic=(True, False),
     means=(
         "A rope can be pushed by as much as it was pulled and more, whatever its yarns are; cut to zero force and "
-        "pushed by 2 % it takes 4 to 10 times the iterations of the pull. Yarns of a small factor stay in contact; bars "
-        "(factor 1) part, and carry the push by bending alone. Before this map was drawn one rope crept on for ever in "
-        "smaller and smaller increments."
+        "pushed by 2 % it takes 4 to 10 times the iterations of the pull. Yarns of a small factor stay in contact; "
+        "bars (factor 1) part, and carry the push by bending alone. Before this map was drawn one rope crept on for "
+        "ever in smaller and smaller increments."
     ),
 )
