@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..output.log import LOGGER
 from ..scene import Hold, Settle
 from ..solver.increment import Diverged, Increment, IncrementOptions
 from ..system.constraints import Floats
@@ -23,6 +22,8 @@ SLACK = 1e-6  # mean strain below which yarns are slack
 HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave, and
 HOLDABLE = 1e-3  # that it may where it cannot let go: all of a pull leave less than 1 % in the end
 RESTS = 20  # increments at the same strain until then
+UNBALANCED = 5e-3  # relative residual without the stabilisation that is left then, and
+LOST = 0.04  # most of the energy that it may take on the way
 HARD, EASY = 20, 8  # Newton iterations of an increment on the way to rest, and
 CALM = 4.0  # factor on the stabilisation then, and
 CALMEST = 4.0**-4  # the least that it becomes
@@ -81,7 +82,7 @@ class Puller:
 
         def solve(fraction: float, cuts: int) -> Increment:
             self._stabilise(cuts)
-            return self._increment(self.strain + fraction * step, self.share + fraction * growth)
+            return self._found(self.strain + fraction * step, self.share + fraction * growth)
 
         done = attempt(
             solve,
@@ -90,9 +91,8 @@ class Puller:
             lambda fraction, failure: self._give_up(self.strain + fraction * step, failure),
         )
         part = done.fraction
-        before = self.state.stabilisation_work
         self._take(done.increment, self.strain + part * step, self.share + part * growth)
-        return self._come_to_rest(done, before) if self.rests and self._stuck else done
+        return done
 
     @property
     def _stuck(self) -> bool:
@@ -111,32 +111,61 @@ class Puller:
         elif iterations < EASY:
             self.calming = max(self.calming / CALM, CALMEST)
 
-    def _come_to_rest(self, done: Attempt, before: float) -> Attempt:
-        """Increments at the same strain, each held from where the last one was found, until little is held.
+    def _found(self, strain: float, share: float) -> Increment:
+        """The rope at a strain, at rest there even where the stabilisation cannot let go of it."""
+        if not self.rests:
+            return self._increment(strain, share)
+        before = self.model.contact.elements.copy()
+        found = self._increment(strain, share)
+        if not (found.held or self._stuck):
+            return found
+        try:
+            return self._rested(found, strain, share)
+        except Diverged:
+            self.model.contact.restore(before)
+            raise
+
+    def _rested(self, found: Increment, strain: float, share: float) -> Increment:
+        """Further increments at the same strain, each held from where the last one was found, until little is held.
 
         Args:
-            done: How the rope came to that strain.
-            before: Work of the stabilisation until then, to which what is held in the end is added, mJ.
+            found: The first one, from the present state.
+            strain, share: Where it led to.
+        Returns:
+            All of them as one.
+        Raises:
+            Diverged: If the rope does not come to rest, or gives way by more than may be lost to the stabilisation.
         """
-        calming, iterations, solves = self.calming, done.iterations, done.linear_solves
-        for _ in range(RESTS):
-            if self.held_share(done.increment) < HOLDABLE:
-                break
-            try:
+        kept = self.state, self.strain, self.share, self.calming, self._made_for
+        stuck, lost = {**self.state.progress, "stuck": 1.0}, self.held_share(found)
+        try:
+            for _ in range(RESTS):
+                if self._is_at_rest(found):
+                    return found
+                self.state = replace(self.state, q=found.q, progress=stuck)
+                self.strain, self.share, self._made_for = strain, share, self._expected
                 self._stabilise(0)
-                found = self._increment(self.strain, self.share)
-            except Diverged as failure:
-                LOGGER.debug("not at rest: %s", failure)
-                self.calming *= CALM
-                continue
-            self._take(found, self.strain, self.share)
-            iterations, solves = iterations + found.iterations, solves + found.linear_solves
-            done = replace(done, increment=found, iterations=iterations, linear_solves=solves)
-            self.calm(found.iterations)
-        self.calming = calming
-        work = before + done.increment.stabilisation_work
-        self.state = replace(self.state, stabilisation_work=work)
-        return done
+                last = self._increment(strain, share)
+                lost += self.held_share(last)
+                if lost > LOST:
+                    raise Diverged(f"{100.0 * lost:.0f} % of the energy is lost at rest", 0, 0)
+                self.calm(last.iterations)
+                found = replace(
+                    last,
+                    held=True,
+                    iterations=found.iterations + last.iterations,
+                    linear_solves=found.linear_solves + last.linear_solves,
+                    friction_work=found.friction_work + last.friction_work,
+                )
+            raise Diverged("the rope does not come to rest", found.iterations, found.linear_solves)
+        finally:
+            self.state, self.strain, self.share, self.calming, self._made_for = kept
+
+    def _is_at_rest(self, found: Increment) -> bool:
+        """Whether the stabilisation does little work, and its forces are small beside the others."""
+        self.model.proximal.start = found.q
+        unbalanced = self.model.newton.residual(found.q)
+        return self.held_share(found) < HOLDABLE and unbalanced < UNBALANCED
 
     def _cuts_left(self, part: float) -> int:
         most = self.model.scene.solver.max_cuts

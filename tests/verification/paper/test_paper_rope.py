@@ -33,10 +33,7 @@ VALUES = [  # case, what, column, reference, tolerance
 # Of the studies' statements; those with a reason were found not to hold.
 PITCH = {
     "rises": "",
-    "linear": (
-        "the rope of the shortest pitch falls below the line of the others. It needs the widest rope and is formed in "
-        "the same die, so that its yarns share the load unequally."
-    ),
+    "linear": "",
     "in proportion": (
         "the angle that counts is that of the yarns, which wind in their strands and pass over other strands besides; "
         "they turn away from the axis faster than strands do."
