@@ -140,7 +140,7 @@ class Puller:
         stuck, lost = {**self.state.progress, "stuck": 1.0}, self.held_share(found)
         try:
             for _ in range(RESTS):
-                if self._is_at_rest(found):
+                if self.is_at_rest(found):
                     return found
                 self.state = replace(self.state, q=found.q, progress=stuck)
                 self.strain, self.share, self._made_for = strain, share, self._expected
@@ -161,7 +161,7 @@ class Puller:
         finally:
             self.state, self.strain, self.share, self.calming, self._made_for = kept
 
-    def _is_at_rest(self, found: Increment) -> bool:
+    def is_at_rest(self, found: Increment) -> bool:
         """Whether the stabilisation does little work, and its forces are small beside the others."""
         self.model.proximal.start = found.q
         unbalanced = self.model.newton.residual(found.q)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from ..scene import Settle
 from .model import RopeModel
-from .outcome import Outcome
+from .outcome import NotConverged, Outcome
 from .pull import outcome
 from .puller import Puller
 from .state import State
@@ -79,6 +79,11 @@ class Settler:
             stabilisation_work=attempt.increment.stabilisation_work,
             progress={**puller.state.progress, **number, "calming": puller.calming},
         )
+        if self.finished and number["held"] and not puller.is_at_rest(attempt.increment):
+            raise NotConverged(
+                f"the rope does not come to rest in {increments} increments; try more steps.increments, or a larger "
+                "contact.friction"
+            )
         name = "settled" if self.finished else None
         return outcome(puller, attempt, min(1.0, number["settled"] / increments), name)
 

@@ -76,6 +76,6 @@ def test_forces_that_hold_a_rope_are_told_from_none(model_and_state):
     model, state = model_and_state
     puller = Puller(model, state)
     found = puller.to(5e-4).increment
-    assert puller._is_at_rest(found)
+    assert puller.is_at_rest(found)
     moved = found.q + 1e-4 * np.sin(np.arange(found.q.size))
-    assert not puller._is_at_rest(replace(found, q=moved))
+    assert not puller.is_at_rest(replace(found, q=moved))
