@@ -224,14 +224,14 @@ FAMILY = Family(
     "what yarns pull inwards, the forces on each yarn, the cone of friction, overlaps, the side of every "
     "crossing, how often each yarn winds about each other one, and the work of pulling.",
     means=(
-        "No rope is wrong. All 60 strands are found, and of 130 braids 53 of the 54 whose yarns are less than 24 degrees "
-        "from the axis. What stops steeper ones (48 of 75) is that their yarns hook into each other: pulled taut without "
-        "room they are bent more sharply than one that lies across another, which has twice its own radius (the "
-        "dashed line). Of 19 ropes bent to 1.7 and less none is found, of those above 2 all but four; the message says "
-        "so. A longer pitch, thinner yarns or a thick core help; other steps, penalties, viscosities, more elements and "
-        "beams did not. Friction, the model of yarns and the kind of ends hardly matter. Ropes bent over a sheave are "
-        "the hardest, 3 of 10: some cannot be clamped, of others the run says that its stabilisation did more work than "
-        "an equilibrium may leave to it."
+        "No rope is wrong. All 60 strands are found, and of 130 braids 53 of the 54 whose yarns are less than 24 "
+        "degrees from the axis. What stops steeper ones (48 of 75) is that their yarns hook into each other: "
+        "pulled taut without room they are bent more sharply than one that lies across another, which has twice "
+        "its own radius (the dashed line). Of 19 ropes bent to 1.7 and less none is found, of those above 2 all "
+        "but four; the message says so. A longer pitch, thinner yarns or a thick core help; other steps, "
+        "penalties, viscosities, more elements and beams did not. Friction, the model of yarns and the kind of "
+        "ends hardly matter. Ropes bent over a sheave are the hardest, 3 of 10: some cannot be clamped, of others "
+        "the run says that its stabilisation did more work than an equilibrium may leave to it."
     ),
     draw=draw_ropes,
     chosen=lambda number, kind: recipes()[int(number)][0] == list(KINDS)[int(kind)],
