@@ -41,7 +41,7 @@ def draw_ropes(family: Family, outcomes: Sequence[Outcome], path: Path) -> None:
     for frame in axes[1]:
         frame.set_xlabel("angle of yarns from the axis (degrees)")
     for frame in axes[:, 0]:
-        frame.set_ylabel("sharpest bend: radius over that of the yarn")
+        frame.set_ylabel("sharpest bend, over yarn radius")
     for status, (colour, marker, label) in LOOKS.items():
         count = sum(outcome.status == status for outcome in outcomes)
         axes[0, 0].scatter([], [], s=60, c=colour, marker=marker, label=f"{label} ({count})")

@@ -228,10 +228,11 @@ FAMILY = Family(
         "degrees from the axis. What stops steeper ones (48 of 75) is that their yarns hook into each other: "
         "pulled taut without room they are bent more sharply than one that lies across another, which has twice "
         "its own radius (the dashed line). Of 19 ropes bent to 1.7 and less none is found, of those above 2 all "
-        "but four; the message says so. A longer pitch, thinner yarns or a thick core help; other steps, "
-        "penalties, viscosities, more elements and beams did not. Friction, the model of yarns and the kind of "
-        "ends hardly matter. Ropes bent over a sheave are the hardest, 3 of 10: some cannot be clamped, of others "
-        "the run says that its stabilisation did more work than an equilibrium may leave to it."
+        "but eight, four of which had hooked when they stopped, after the last state on the map; the message says "
+        "so. A longer pitch, thinner yarns or a thick core help; other steps, penalties, viscosities, more "
+        "elements and beams did not. Friction, the model of yarns and the kind of ends hardly matter. Ropes bent "
+        "over a sheave are the hardest, 3 of 10: some cannot be clamped, of others the run says that its "
+        "stabilisation did more work than an equilibrium may leave to it."
     ),
     draw=draw_ropes,
     chosen=lambda number, kind: recipes()[int(number)][0] == list(KINDS)[int(kind)],
