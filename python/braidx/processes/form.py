@@ -214,9 +214,7 @@ class Former:
             friction = self.step.friction
             friction = self.model.scene.contact.friction if friction is None else friction
             set_friction(contact, friction, friction)
-        bend, yarn = sharpest_bend(self.model.centre_lines(self.state.q), self.model.rope.radius)
-        # What is hooked into others is not found with more stabilisation, either.
-        for retry in range(RETRIES + 1 if bend > HOOKED else 2):
+        for retry in range(RETRIES + 1):
             viscosity = self._viscosity * 2**retry
             self.model.set_viscosity(viscosity, self._turning * viscosity)
             try:
@@ -226,6 +224,11 @@ class Former:
             except Diverged as failure:
                 LOGGER.warning("forming: %s; stabilisation doubled", failure)
                 last = failure
+            bend, yarn = sharpest_bend(
+                self.model.centre_lines(self.state.q), self.model.rope.radius
+            )
+            if retry and bend <= HOOKED:
+                break  # more stabilisation does not help, either
         cure = "try a smaller form.gap_reduction, a higher form.viscosity or a larger form.die_diameter"
         if bend <= HOOKED:
             cure = (

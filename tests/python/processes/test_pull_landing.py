@@ -17,7 +17,6 @@ STIFFNESS = 1e7  # N
 @dataclass(frozen=True)
 class State:
     progress: dict = field(default_factory=dict)
-    stabilisation_work: float = 0.0
 
 
 @dataclass

@@ -21,8 +21,6 @@ from study import Case, Study
 from study_runs import Outcome, run_case
 
 MOST = 4  # ropes at a time: each takes up to 2 GB
-
-
 ANGLES, RATIOS, LEAST = ("30", "60"), ("3.33", "10.00"), "0.003"
 
 
