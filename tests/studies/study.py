@@ -45,7 +45,6 @@ QUICK = (
     "yarn.seeds=8",
     "steps.bend.travel=1",
     "steps.bend.increments=2",
-    "output.pictures=false",
 )
 
 # The smallest braid that is pulled: eight yarns, one pitch of 36 mm.
@@ -59,7 +58,6 @@ SMALL = (
     "strand.yarn_pitch=untwisted",
     "yarn.radius=0.86",
     "yarn.elements_per_pitch=36",
-    "output.pictures=false",
 )
 SMALL_PROGRAMME = (Settle(force=0.5), Pull(to_force=3.0), Pull(to_force=5.0))
 

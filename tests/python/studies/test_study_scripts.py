@@ -61,7 +61,7 @@ def test_ropes_of_a_study(name, quick):
 def test_a_rope_of_two_studies_is_computed_once():
     whole = case_scene([])
     assert folder_name(whole) == folder_name(case_scene(["sheave.diameter=40", "yarn.model=beam"]))
-    assert folder_name(whole) == folder_name(case_scene(["output.pictures=false"]))
+    assert folder_name(whole) == folder_name(case_scene(["output.pictures=true"]))
     assert folder_name(whole) != folder_name(case_scene(["contact.friction=0.1"]))
 
 
