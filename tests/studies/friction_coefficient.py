@@ -28,7 +28,11 @@ def study(quick: bool = False) -> Study:
         title="Friction between yarns",
         quantity="friction (-)",
         cases=tuple(Case(f"{mu:g}", mu, (f"contact.friction={mu:g}",)) for mu in FRICTIONS),
-        base=(*SMALL, "steps.form.friction=0.1") if quick else ("steps.settle.force=0.5",),
+        base=(
+            (*SMALL, "steps.form.friction=0.1")
+            if quick
+            else ("steps.settle.force=2", "steps.settle.increments=100")
+        ),
         demo=TENSILE,
         programme=SMALL_PROGRAMME if quick else (),
     )
@@ -118,7 +122,7 @@ def numbers(outcomes: Sequence[Outcome]) -> dict[str, str | float]:
         )
     header = [
         "friction",
-        "strain at rest, 0.5 kN (%)",
+        "strain at rest, 2 kN (%)",
         "strain that the linear part starts from (%)",
         "axial stiffness (kN)",
         "slope from 70 kN on (kN)",
