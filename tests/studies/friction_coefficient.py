@@ -18,6 +18,7 @@ from study_runs import Outcome
 from braidx.output.measures import linear_fit
 
 FRICTIONS = (0.003, 0.03, 0.1)
+AT_REST = 2.0  # kN
 TAUT = 20.0  # kN
 SAME = 0.05  # largest difference of stiffnesses that are called equal, over their mean
 
@@ -31,7 +32,7 @@ def study(quick: bool = False) -> Study:
         base=(
             (*SMALL, "steps.form.friction=0.1")
             if quick
-            else ("steps.settle.force=2", "steps.settle.increments=100")
+            else (f"steps.settle.force={AT_REST}", "steps.settle.increments=100")
         ),
         demo=TENSILE,
         programme=SMALL_PROGRAMME if quick else (),
@@ -122,7 +123,7 @@ def numbers(outcomes: Sequence[Outcome]) -> dict[str, str | float]:
         )
     header = [
         "friction",
-        "strain at rest, 2 kN (%)",
+        f"strain at rest, {AT_REST:.0f} kN (%)",
         "strain that the linear part starts from (%)",
         "axial stiffness (kN)",
         "slope from 70 kN on (kN)",
@@ -136,7 +137,7 @@ def numbers(outcomes: Sequence[Outcome]) -> dict[str, str | float]:
         "held at rest (%)",
         "held from 20 kN on (%)",
     ]
-    return {"table": table(header, rows)}
+    return {"table": table(header, rows), "at_rest": AT_REST}
 
 
 PAGE = Page("friction", claims, numbers, draw)

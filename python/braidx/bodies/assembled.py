@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+
 import numpy as np
 import numpy.typing as npt
 from dolfinx import fem
@@ -10,7 +12,7 @@ from .assembly import Assembler
 from .layout import FloatArray, IntArray
 
 
-class AssembledBody:
+class AssembledBody(ABC):
     """A body in canonical numbering: node by node, `block` components.
 
     A subclass sets the attributes that are declared here.
@@ -23,8 +25,9 @@ class AssembledBody:
     _assembler: Assembler
 
     @property
+    @abstractmethod
     def num_nodes(self) -> int:
-        raise NotImplementedError
+        """Nodes of all processes."""
 
     @property
     def num_unknowns(self) -> int:
