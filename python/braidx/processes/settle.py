@@ -89,10 +89,8 @@ class Settler:
 
     @property
     def _has_arrived(self) -> bool:
-        """Whether the end stays where it was moved to, under no more stabilisation than the scene asks for."""
-        number = self._number
-        stays = number["settled"] > 0 and number["target"] == self._puller.strain
-        return stays and self._puller.calming <= 1.0
+        """Whether the end stays where it is, under no more stabilisation than the scene asks for."""
+        return self._number["target"] == self._puller.strain and self._puller.calming <= 1.0
 
     def _aim(self) -> None:
         """Where the end is moved next."""
