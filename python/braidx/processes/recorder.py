@@ -23,7 +23,7 @@ from . import state as checkpoint
 from .bending.aftermath import after_bending
 from .measurements import FIRST_PULL, STATE_RESULTS, final_results
 from .recorded import RecordedModel
-from .outcome import Outcome
+from .outcome import NotConverged, Outcome
 from .state import State
 
 SNAPSHOTS, STATES = "snapshots", "states"
@@ -132,6 +132,17 @@ class Recorder:
         if self.first:
             checkpoint.save(state, self.folder)
 
+    def check(self) -> None:
+        """Raises NotConverged where the results are those of the stabilisation, too."""
+        share = 0.0
+        if self.first:
+            rows = history.read(self.folder / "history.csv")
+            found = final_results(self.scene, self.rope, rows)
+            share = found.get("stabilisation_work_share", 0.0)
+        share = self.comm.bcast(share)
+        if share > HELD:
+            raise NotConverged(_held(share))
+
     def finish(self, converged: bool) -> dict[str, Any]:
         """Pictures, the table of time per phase and summary.json."""
         contents: dict[str, Any] = {}
@@ -166,13 +177,9 @@ class Recorder:
         cost.ranks = self.comm.size
         cost.threads = self._threads
         summary.write(self.folder / "summary.json")
-        held = values.get("stabilisation_work_share", 0.0)
-        if held > HELD:
-            LOGGER.warning(
-                "the stabilisation did %.0f %% as much work as there was energy: look in history.csv where, and do not "
-                "trust results from there on; see docs/troubleshooting.md",
-                100.0 * held,
-            )
+        share = values.get("stabilisation_work_share", 0.0)
+        if share > HELD:
+            LOGGER.warning("%s", _held(share))
         return summary.as_dict()
 
     def _wanted(self, outcome: Outcome) -> bool:
@@ -182,6 +189,13 @@ class Recorder:
     def _keep(self, picture: Snapshot, increment: int, place: str = SNAPSHOTS) -> None:
         name = picture.name.replace(" ", "_").replace(",", "").replace("%", "percent")
         snapshot.save(picture, self.folder / place / f"{increment:05d}_{name}.npz")
+
+
+def _held(share: float) -> str:
+    return (
+        f"the stabilisation did {100.0 * share:.0f} % as much work as there was energy: history.csv tells from which "
+        "increment on results are not to be trusted; try more increments of the steps, or a lower solver.viscosity"
+    )
 
 
 def start_snapshot(rope: Rope) -> Snapshot:

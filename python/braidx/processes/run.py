@@ -53,7 +53,8 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
     Returns:
         The contents of summary.json.
     Raises:
-        NotConverged: If a step finds no equilibrium; what was reached is in the folder.
+        NotConverged: If a step finds no equilibrium, or the stabilisation did more work than results may have in
+            them; what was reached is in the folder.
     """
     comm = MPI.COMM_WORLD
     rope = build_rope(scene)
@@ -63,6 +64,7 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
     recorder = Recorder(comm, scene, rope, folder, state)
     try:
         _run_steps(comm, scene, state or start_state(scene), recorder)
+        recorder.check()
     except NotConverged as failure:
         LOGGER.error("%s", failure)
         recorder.finish(converged=False)

@@ -76,12 +76,15 @@ class Bender:
         """The increment while the sheave turns as friction takes it along."""
         contact, sheave = self.model.contact, self.model.sheave
         before = contact.elements.copy()
+        iterations = solves = 0
 
         def solve(angle: float) -> Increment:
-            nonlocal first
+            nonlocal first, iterations, solves
             contact.restore(before.copy())
             increment = self._turned(angle, first)
             first = increment.q  # near the next one
+            iterations += increment.iterations
+            solves += increment.linear_solves
             return increment
 
         def moment(increment: Increment) -> tuple[float, float]:
@@ -92,15 +95,16 @@ class Bender:
         rate = self.state.progress.get("sheave_turn", 0.0) / self._moved if self._moved else 0.0
         elastic = contact.laws.reversible_slip / sheave.radius
         try:
-            return balanced(solve, moment, rate * step, elastic)[0]
+            found = balanced(solve, moment, rate * step, elastic)[0]
+            return replace(found, iterations=iterations, linear_solves=solves)
         except Diverged:
             contact.restore(before)
             raise
 
     def _predict(self, step: float) -> Floats:
-        """At the rate of the last increment, which ropes that bend on keep."""
+        """At the rate of the last increment: ropes that bend on keep it, and go back by the way that they came."""
         q, before = self.state.q, self.state.previous
-        if not len(before) or self._moved * step <= 0.0:
+        if not len(before) or not self._moved:
             return q
         predicted: Floats = q + step / self._moved * (q - before)
         return predicted
