@@ -34,7 +34,7 @@ CONE = 1e-6  # of the largest normal force
 HIDDEN = 0.03  # of a radius: overlap that the run does not tell of
 UNWOUND = 0.05  # turns
 STABILISATION = 0.05  # of the largest energy
-TOLD = "the stabilisation did"  # begins the warning of a run whose results are not to be trusted
+TOLD = "the stabilisation did"  # begins what a run says whose results are not to be trusted
 
 
 def outcome(case: tuple[float, ...], recipe: Recipe) -> Outcome:
@@ -231,8 +231,8 @@ FAMILY = Family(
         "but eight, four of which had hooked when they stopped, after the last state on the map; the message says "
         "so. A longer pitch, thinner yarns or a thick core help; other steps, penalties, viscosities, more "
         "elements and beams did not. Friction, the model of yarns and the kind of ends hardly matter. Ropes bent "
-        "over a sheave are the hardest, 3 of 10: some cannot be clamped, of others the run says that its "
-        "stabilisation did more work than an equilibrium may leave to it."
+        "over a sheave are the hardest, 4 of 10: cables cannot be clamped, and beams that weigh little on the sheave "
+        "are held by the stabilisation, which ends the run."
     ),
     draw=draw_ropes,
     chosen=lambda number, kind: recipes()[int(number)][0] == list(KINDS)[int(kind)],

@@ -248,16 +248,18 @@ class Puller:
         if self._made_for < SLACK * self.model.scene.yarn.axial_stiffness:
             # Nothing was expected of slack yarns: penalties became what was found to do.
             self._made_for = max(self._made_for, self._mean_tension(increment.q))
+        before, energy = self.state.progress, self.model.internal_energy(increment.q)
         self.state = replace(
             self.state,
             q=increment.q,
             contacts=self.model.contact.arrays(),
             progress={
-                **self.state.progress,
+                **before,
+                "energy": max(energy, before.get("energy", 0.0)),
                 "strain": strain,
                 "share": share,
                 "tension": self._made_for,
-                "stuck": max(self.state.progress.get("stuck", 0.0), float(increment.held)),
+                "stuck": max(before.get("stuck", 0.0), float(increment.held)),
             },
             stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
             friction_work=self.state.friction_work + increment.friction_work,

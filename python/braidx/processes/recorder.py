@@ -80,7 +80,7 @@ class Recorder:
         """One more increment is accepted."""
         state, increment = outcome.state, outcome.increment
         self._elements = max(self._elements, increment.contact_elements)
-        # A rope that is straight again has hardly any energy left: the most that it had counts.
+        # A rope that is straight or slack again has hardly any energy left: the most that it had counts.
         energy = state.progress.get("energy") or model.internal_energy(state.q)
         share = state.stabilisation_work / energy if energy > 0 and not state.forms else 0.0
         name = outcome.snapshot or step.kind
