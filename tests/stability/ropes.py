@@ -231,8 +231,8 @@ FAMILY = Family(
         "but eight, four of which had hooked when they stopped, after the last state on the map; the message says "
         "so. A longer pitch, thinner yarns or a thick core help; other steps, penalties, viscosities, more "
         "elements and beams did not. Friction, the model of yarns and the kind of ends hardly matter. Ropes bent "
-        "over a sheave are the hardest, 4 of 10: cables cannot be clamped, and beams that weigh little on the sheave "
-        "are held by the stabilisation, which ends the run."
+        "over a sheave are the hardest, 4 of 10: cables cannot be clamped, and of two "
+        "with beams the stabilisation did more work than an equilibrium may leave to it, which ends the run."
     ),
     draw=draw_ropes,
     chosen=lambda number, kind: recipes()[int(number)][0] == list(KINDS)[int(kind)],
