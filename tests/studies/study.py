@@ -45,6 +45,7 @@ QUICK = (
     "yarn.seeds=8",
     "steps.bend.travel=1",
     "steps.bend.increments=2",
+    "solver.director_viscosity=100",
 )
 
 # The smallest braid that is pulled: eight yarns, one pitch of 36 mm.

@@ -194,7 +194,8 @@ class Recorder:
 def _held(share: float) -> str:
     return (
         f"the stabilisation did {100.0 * share:.0f} % as much work as there was energy: history.csv tells from which "
-        "increment on results are not to be trusted; try more increments of the steps, or a lower solver.viscosity"
+        "increment on results are not to be trusted; try more increments of the steps, or a lower "
+        "solver.viscosity and solver.director_viscosity"
     )
 
 
