@@ -30,6 +30,7 @@ SNAPSHOTS, STATES = "snapshots", "states"
 HELD = (
     0.05  # stabilisation's work over the energy above which results are those of its viscosity, too
 )
+SHARE = "stabilisation_work_share"
 WEIGHTS = {"form": 4.0, "settle": 1.0, "pull": 4.0, "hold": 1.0, "cycle": 6.0}
 
 
@@ -132,19 +133,12 @@ class Recorder:
         if self.first:
             checkpoint.save(state, self.folder)
 
-    def check(self) -> None:
-        """Raises NotConverged where the results are those of the stabilisation, too."""
-        share = 0.0
-        if self.first:
-            rows = history.read(self.folder / "history.csv")
-            found = final_results(self.scene, self.rope, rows)
-            share = found.get("stabilisation_work_share", 0.0)
-        share = self.comm.bcast(share)
-        if share > HELD:
-            raise NotConverged(_held(share))
-
     def finish(self, converged: bool) -> dict[str, Any]:
-        """Pictures, the table of time per phase and summary.json."""
+        """Pictures, the table of time per phase and summary.json.
+
+        Raises:
+            NotConverged: If all steps found equilibria, but the results are those of the stabilisation, too.
+        """
         contents: dict[str, Any] = {}
         memory = self.comm.allreduce(peak_memory_MB())
         if self.first:
@@ -158,11 +152,13 @@ class Recorder:
             self._progress.finish(self._costs)
             contents = self._write_summary(converged, memory)
             close_log()
-        return self.comm.bcast(contents)
+        contents = self.comm.bcast(contents)
+        if converged and not contents["converged"]:
+            raise NotConverged(_held(contents["results"][SHARE]["value"]))
+        return contents
 
     def _write_summary(self, converged: bool, memory: float) -> dict[str, Any]:
         summary = Summary(self.scene.name, self.scene.expected)
-        summary.converged = converged
         kept = followed(self.scene)
         summary.accuracy = None if kept is None else asdict(kept)
         rows = history.read(self.folder / "history.csv")
@@ -176,8 +172,9 @@ class Recorder:
         cost.unknowns, cost.contact_elements = self._unknowns, self._elements
         cost.ranks = self.comm.size
         cost.threads = self._threads
+        share = values.get(SHARE, 0.0)
+        summary.converged = converged and share <= HELD
         summary.write(self.folder / "summary.json")
-        share = values.get("stabilisation_work_share", 0.0)
         if share > HELD:
             LOGGER.warning("%s", _held(share))
         return summary.as_dict()

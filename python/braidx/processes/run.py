@@ -64,7 +64,6 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
     recorder = Recorder(comm, scene, rope, folder, state)
     try:
         _run_steps(comm, scene, state or start_state(scene), recorder)
-        recorder.check()
     except NotConverged as failure:
         LOGGER.error("%s", failure)
         recorder.finish(converged=False)
