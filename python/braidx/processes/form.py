@@ -211,9 +211,7 @@ class Former:
             newton.restore_options()
             newton.bold = True
             contact.laws.gap_step = -1.0
-            friction = self.step.friction
-            friction = self.model.scene.contact.friction if friction is None else friction
-            set_friction(contact, friction, friction)
+            set_friction(contact, *self._friction_at_rest())
         for retry in range(RETRIES + 1):
             viscosity = self._viscosity * 2**retry
             self.model.set_viscosity(viscosity, self._turning * viscosity)
@@ -238,6 +236,13 @@ class Former:
         raise NotConverged(
             f"forming stopped: {last}; deepest contacts between yarns {last.deepest}; {cure}"
         )
+
+    def _friction_at_rest(self) -> tuple[float, float]:
+        """Coefficients of friction between yarns and on the core while the rope comes to rest."""
+        own, given = self.step.friction, self.model.scene.contact
+        if own is not None:
+            return own, own
+        return given.friction_of("yarn-yarn"), given.friction_of("yarn-core")
 
     def _advance(self, increment: Increment) -> None:
         """What the next increment does: separate, raise the penalty, rest."""

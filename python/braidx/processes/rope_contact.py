@@ -71,7 +71,7 @@ def make_contact(
         contact.laws.num_bodies = contact.pairing.num_bodies = 2
     # A core that does not stretch would hold a rope back the more, the farther a pitch is from the end that stays: what
     # holds for one pitch holds for all of them without friction only.
-    set_friction(contact, scene.contact.friction, 0.0)
+    set_friction(contact, scene.contact.friction_of("yarn-yarn"), 0.0)
     return contact
 
 

@@ -22,6 +22,7 @@ def check_bending(scene: Scene) -> None:
     _check_steps(scene)
     _check_models(scene)
     _check_mesh(scene)
+    _check_friction(scene)
 
 
 def _check_braid(scene: Scene) -> None:
@@ -95,3 +96,13 @@ def _check_mesh(scene: Scene) -> None:
     if scene.core is not None and scene.core.mesh and not Path(scene.core.mesh).is_file():
         cure = "no such file; give the path of a mesh, or leave it out for a cylinder."
         raise SceneError("core.mesh", cure, scene.core.mesh)
+
+
+def _check_friction(scene: Scene) -> None:
+    """Pairs of bodies that the rope does not have."""
+    for name, table in (("core", scene.core), ("sheave", scene.sheave)):
+        pair = f"yarn-{name}"
+        if table is None and pair in scene.contact.friction_between:
+            cure = f"there is no {name}; add [{name}], or remove this pair."
+            value = scene.contact.friction_between[pair]
+            raise SceneError(f"contact.friction_between.{pair}", cure, value)

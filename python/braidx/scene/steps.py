@@ -54,7 +54,7 @@ class Form(Step):
         None,
         minimum=0.0,
         doc="Coefficient of friction while the rope comes to rest, after having been separated without friction; "
-        "left out: contact.friction.",
+        "left out: what [contact] says of each pair.",
     )
     increments: int = option(150, minimum=1, doc="Most increments.")
 
