@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import importlib
-import os
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
 import typer
 
+from braidx.cli.environment import rank
 from braidx.scene import SceneError
 
+MISSED = 1  # a result is not as expected, where --strict asks for that
 BAD_INPUT = 2
 NOT_CONVERGED = 3
+INTERRUPTED = 130  # as shells count: 128 and the number of SIGINT
+TOGETHER = (MISSED, NOT_CONVERGED, INTERRUPTED)  # all processes end with these
 PAUSE = 10.0  # s
-
-
-def rank() -> int:
-    """This process among those started by mpirun, 0 without it."""
-    names = ("OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK")
-    return int(next((os.environ[name] for name in names if name in os.environ), "0"))
 
 
 def stop(message: str, code: int) -> typer.Exit:
@@ -29,6 +26,8 @@ def stop(message: str, code: int) -> typer.Exit:
     mpirun ends all processes as soon as one fails, so the first one goes first; the others get no
     further than their pause unless they fail alone.
     """
+    if rank() > 0 and code in TOGETHER:
+        return typer.Exit(code)
     if rank() > 0:
         time.sleep(PAUSE)
     typer.echo(f"braidx: {message}", err=True)
@@ -37,11 +36,18 @@ def stop(message: str, code: int) -> typer.Exit:
 
 @contextmanager
 def bad_input_stops(source: object = "") -> Iterator[None]:
-    """Turn a SceneError into one line naming the file, and exit code 2."""
+    """Turn a SceneError into one line naming the file, and exit code 2; an interrupt into exit code 130."""
     try:
         yield
+    except KeyboardInterrupt:
+        raise stop("interrupted", INTERRUPTED) from None
     except SceneError as error:
         raise stop(str(error.within(str(source))), BAD_INPUT) from None
+
+
+def missed(results: Mapping[str, Mapping[str, object]]) -> str:
+    """Names of the results that are not as expected, separated by commas."""
+    return ", ".join(name for name, result in results.items() if result["met"] is False)
 
 
 def require_solver() -> None:

@@ -8,9 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from mpi4py import MPI
-from rich.console import Console
 
-from ..cli.environment import blas_warning
+from ..cli.environment import blas_warning, make_console
 from ..geometry import Rope
 from ..output import figures, history, paraview, snapshot
 from ..output.history import History, HistoryRow
@@ -52,7 +51,7 @@ class Recorder:
         self._threads = 1
         if not self.first:
             return
-        console = Console()
+        console = make_console()
         open_log(folder, console, append=resumed is not None)
         after = resumed.increment if resumed else None
         self._history = History(folder / "history.csv", after)

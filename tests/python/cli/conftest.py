@@ -22,7 +22,7 @@ def braidx(capsys):
 
     def call(*words: str) -> Done:
         with pytest.raises(SystemExit) as caught:
-            app(list(words))
+            app(list(words), prog_name="braidx")
         printed = capsys.readouterr()
         return Done(int(caught.value.code or 0), printed.out, printed.err)
 

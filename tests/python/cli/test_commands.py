@@ -1,13 +1,17 @@
 """The commands where all is well, with the computation itself replaced."""
 
 import json
+import os
+import signal
 import sys
+from copy import deepcopy
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
 import braidx as package
+from braidx.cli.environment import make_console
 from braidx.scene import load_scene
 from braidx.scene.reference import json_schema, markdown
 
@@ -124,6 +128,55 @@ def test_a_diverged_run_ends_with_3(invoke, processes):
     (line,) = invoke("run", SMALL, "--out", "mine", code=3).stderr.splitlines()
     assert "increment 4: yarns 3 and 7" in line and "mine" in line
     assert Path("mine/scene.toml").exists()
+
+
+def test_a_missed_expectation_ends_with_1_where_that_is_asked_for(invoke, processes):
+    missed = deepcopy(SUMMARY)
+    missed["results"]["efficiency"]["met"] = False
+    invoke("run", SMALL, "--strict", "--out", "met")
+    processes.run = lambda scene, out_dir, resume=False: missed
+    invoke("run", SMALL, "--out", "missed")
+    (line,) = invoke("run", SMALL, "--strict", "--out", "strict", code=1).stderr.splitlines()
+    assert "not as expected: efficiency" in line
+    invoke("demo", "--strict", "--accuracy", "5%", "--out", "demo", code=1)
+
+
+def test_an_interrupted_run_tells_how_to_go_on(invoke, processes):
+    def interrupt(scene, out_dir, resume=False):
+        os.kill(os.getpid(), signal.SIGTERM)  # as mpirun and batch systems do
+
+    processes.run = interrupt
+    (line,) = invoke("run", SMALL, "--out", "mine", code=130).stderr.splitlines()
+    assert "--resume" in line and "mine" in line
+
+
+@pytest.mark.parametrize("option", ["-h", "--help"])
+def test_help_lists_ranks_and_the_options_of_the_demo(braidx, option):
+    assert braidx(option).stdout.startswith("Usage: braidx [OPTIONS] COMMAND")
+    assert "--ranks N" in braidx(option).stdout
+    for command in ("run", "demo"):
+        text = braidx(command, option).stdout
+        for wanted in (f"Usage: braidx {command}", "--ranks", "--accuracy", "--strict"):
+            assert wanted in text
+
+
+def test_the_version_is_told(invoke):
+    assert invoke("--version").stdout == f"braidx {package.__version__}\n"
+
+
+def test_ranks_without_the_launcher_are_refused(invoke):
+    assert "mpirun -n 2 braidx" in invoke("run", SMALL, "--ranks", "2", code=2).stderr
+
+
+@pytest.mark.parametrize("name", ["OMPI_COMM_WORLD_RANK", "PMIX_RANK"])
+def test_no_escape_codes_under_mpirun(monkeypatch, name):
+    """Open MPI gives its processes a pseudo terminal, and leads what they print there to a file."""
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    assert make_console().is_terminal
+    monkeypatch.setenv(name, "0")
+    assert not make_console().is_terminal
+    monkeypatch.setenv(name, "1")
+    assert make_console().quiet
 
 
 def test_demo_runs_the_rope_of_the_paper(invoke, processes):
