@@ -5,7 +5,7 @@ RUN apt-get update \
     && DEBIAN_FRONTEND=noninteractive xargs apt-get install --yes --no-install-recommends < /tmp/packages \
     && rm -rf /var/lib/apt/lists/*
 COPY . /opt/braidx
-ENV XDG_CACHE_HOME=/var/cache BRAIDX_CMAKE_ARGS=-DBRAIDX_NATIVE=OFF
+ENV XDG_CACHE_HOME=/var/cache
 RUN /opt/braidx/braidx shell true && chmod -R a+rwX /var/cache/braidx
 ENTRYPOINT ["/opt/braidx/braidx"]
 CMD ["demo"]

@@ -1,13 +1,8 @@
-# Keeps the contact engine built: CMake and Ninja, Release, for this machine's processor, in the user's cache.
-# One build folder per checkout, environment, processor and options; Ninja decides what is out of date.
+# Keeps the contact engine built: CMake and Ninja, Release, in the user's cache. One build folder per checkout,
+# environment and options; Ninja decides what is out of date.
 
 build_folder() {
-    local cpu
-    case ${BRAIDX_CMAKE_ARGS:-} in
-    *BRAIDX_NATIVE=OFF*) cpu=any ;;
-    *) cpu=$(grep -m 1 -E '^(flags|Features)' /proc/cpuinfo 2>/dev/null || uname -m) ;;
-    esac
-    build=$cache/build/$(printf '%s\n' "$checkout" "$environment" "$cpu" "${BRAIDX_CMAKE_ARGS:-}" | sha1sum | cut -c 1-12)
+    build=$cache/build/$(printf '%s\n' "$checkout" "$environment" "${BRAIDX_CMAKE_ARGS:-}" | sha1sum | cut -c 1-12)
 }
 
 # True if a source file or folder changed since the last build of the target: saves the start of Ninja.
@@ -26,7 +21,7 @@ build() {
     if ! [ -f "$build/build.ninja" ]; then
         read -ra arguments <<<"${BRAIDX_CMAKE_ARGS:-}"
         step "configuring the engine" "${inside[@]}" cmake -S "$checkout" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-            -DBRAIDX_NATIVE=ON -DBRAIDX_TESTS=ON -DPython_EXECUTABLE="$python" "${arguments[@]}" ||
+            -DBRAIDX_TESTS=ON -DPython_EXECUTABLE="$python" "${arguments[@]}" ||
             { rm -f "$build/build.ninja"; stop "CMake failed (output above)"; }
     fi
     if out_of_date "$1"; then

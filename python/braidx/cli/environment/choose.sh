@@ -37,16 +37,27 @@ apt_install() {
     DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "$@"
 }
 
-choose() {
+use_named_python() {
+    local lacking
+    use_host_python "$BRAIDX_PYTHON" && return
+    command -v "$BRAIDX_PYTHON" >/dev/null ||
+        stop "BRAIDX_PYTHON=$BRAIDX_PYTHON: there is no such program; name a Python with DOLFINx 0.9 or later, or unset it"
+    lacking=$("$BRAIDX_PYTHON" "$here/probe.py" 2>&1 | tail -n 1) || stop "BRAIDX_PYTHON=$BRAIDX_PYTHON is no Python: $lacking"
+    stop "BRAIDX_PYTHON=$BRAIDX_PYTHON lacks: $lacking"
+}
+
+# What is here already, without any installation.
+choose_present() {
     if [ -n "${BRAIDX_PYTHON:-}" ]; then
-        use_host_python "$BRAIDX_PYTHON" && return
-        stop "BRAIDX_PYTHON=$BRAIDX_PYTHON lacks: $("$BRAIDX_PYTHON" "$here/probe.py" 2>&1 | tail -n 1)"
-    fi
-    [ -z "${BRAIDX_PRIVATE_ROOT:-}" ] && use_any_host_python && return
-    if private_root_is_complete; then
-        use_private_root
+        use_named_python
         return
     fi
+    [ -z "${BRAIDX_PRIVATE_ROOT:-}" ] && use_any_host_python && return
+    private_root_is_complete && use_private_root
+}
+
+choose() {
+    choose_present && return
     lock "$cache/environment.lock" "another braidx is preparing the environment"
     if private_root_is_complete || update_private_root; then
         use_private_root
@@ -71,8 +82,21 @@ prepare() {
             step "installing mmdebstrap" apt_install mmdebstrap debian-archive-keyring || true
     fi
     command -v mmdebstrap >/dev/null && "${namespace[@]}" true 2>/dev/null || stop_with_advice
+    [ "$(id -u)" = 0 ] || check_subordinate_ids
     make_private_root
     use_private_root
+}
+
+# Without root mmdebstrap gives the files of the root user ids of a range that the user owns.
+check_subordinate_ids() {
+    local user file
+    user=$(id -un)
+    command -v newuidmap >/dev/null ||
+        stop "a private Debian without root takes newuidmap, of the package uidmap: sudo apt install uidmap"
+    for file in /etc/subuid /etc/subgid; do
+        grep -q -E "^($user|$(id -u)):" "$file" 2>/dev/null || stop "a private Debian without root takes a range of \
+user ids, and $file has none for $user: sudo usermod --add-subuids 100000-165535 --add-subgids 100000-165535 $user"
+    done
 }
 
 stop_with_advice() {

@@ -18,12 +18,37 @@ make_prefix() {
     fi
 }
 
+# Under mpirun: an interrupt ends all processes before one of them could tell how to go on.
+launch_ranks() {
+    local job code=0 interrupted=''
+    (trap - INT && exec "$@") <&0 &
+    job=$!
+    # A terminal interrupts mpirun, too, which takes a second to end its processes; others may interrupt this one only.
+    trap 'interrupted=yes; sleep 2; kill "$job" 2>/dev/null || true' INT
+    trap 'interrupted=yes; kill "$job" 2>/dev/null || true' TERM HUP
+    while kill -0 "$job" 2>/dev/null; do
+        code=0
+        wait "$job" || code=$?
+    done
+    if [ -n "$interrupted" ]; then
+        note "interrupted: the same command with --resume goes on from the last increment"
+        code=130
+    fi
+    exit "$code"
+}
+
 # launch COMMAND...: takes this process's place, so that signals and the exit code are the command's own.
 launch() {
     make_prefix
     if [ -n "${BRAIDX_DRY_RUN:-}" ]; then
-        printf '%s\n' "${prefix[@]}" "$@"
+        # As it can be pasted into a shell, with what enter.sh finds in its environment.
+        set -- env "BRAIDX_CHECKOUT=$checkout" "BRAIDX_CACHE=$cache" "BRAIDX_UID=$BRAIDX_UID" "BRAIDX_GID=$BRAIDX_GID" \
+            "${prefix[@]}" "$@"
+        printf '%q' "$1"
+        printf ' %q' "${@:2}"
+        echo
         exit
     fi
+    [ "$ranks" = 1 ] || launch_ranks "${prefix[@]}" "$@"
     exec "${prefix[@]}" "$@"
 }

@@ -14,14 +14,14 @@ size_of() { du -s --block-size=1M "$1" 2>/dev/null | awk '{ printf "%.1f GB", $1
 # a line tells seconds, the size of the folder $growing and the current phase: rewritten twice a second on a
 # terminal, else printed every 30 s.
 step() {
-    local name=$1 log=$cache/step.log start=$SECONDS job next=30 size='' code=0
+    local name=$1 log=$cache/step.$$.log start=$SECONDS job next=30 size='' code=0
     shift
     note "$name"
     set -m # a process group of its own, so that an interrupt ends all of it
     "$@" >"$log" 2>&1 </dev/null &
     job=$!
     set +m
-    trap 'kill -- "-$job" 2>/dev/null; wait "$job" || true; echo >&2; note "interrupted"; exit 130' INT TERM HUP
+    trap 'kill -- "-$job" 2>/dev/null; wait "$job" || true; rm -f "$log"; echo >&2; note "interrupted"; exit 130' INT TERM HUP
     while kill -0 "$job" 2>/dev/null; do
         sleep 0.5
         if [ -n "${growing:-}" ] && [ $((SECONDS % 5)) = 0 ]; then size=$(size_of "$growing"); fi
@@ -36,6 +36,7 @@ step() {
     trap - INT TERM HUP
     if [ -t 2 ]; then printf '\r\033[K' >&2; fi
     if [ "$code" = 0 ]; then note "  done in $((SECONDS - start)) s"; else cat "$log" >&2; fi
+    rm -f "$log"
     return "$code"
 }
 
