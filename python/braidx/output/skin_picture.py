@@ -24,6 +24,9 @@ class SkinPicture:
     faces: Integers  # (m, 4), corners
     owner: Integers  # (m,), number of the yarn, -1 for the core
     von_mises: Array  # (m,), MPa; NaN where unknown
+    axial_stress: (
+        Array  # (m,), MPa along the fibre, positive in tension; NaN where there is no fibre
+    )
 
     def __post_init__(self) -> None:
         count = len(self.faces)
@@ -32,6 +35,7 @@ class SkinPicture:
             "faces": (count, 4),
             "owner": (count,),
             "von_mises": (count,),
+            "axial_stress": (count,),
         }
         for name, expected in shapes.items():
             found = np.shape(getattr(self, name))

@@ -41,6 +41,7 @@ class Snapshot:
     core: CoreLine | None = None
     skins: tuple[SkinPicture, ...] = ()  # surfaces of what is modelled as a solid
     sheave: SheavePicture | None = None
+    force: float | None = None  # kN on the rope in this state, tension positive
 
     def __post_init__(self) -> None:
         nodes = [len(line) for line in self.centre_lines]
@@ -119,6 +120,8 @@ def save(snapshot: Snapshot, path: Path) -> None:
     arrays |= columns("contacts", snapshot.contacts)
     arrays |= columns("core", snapshot.core)
     arrays |= columns("sheave", snapshot.sheave)
+    if snapshot.force is not None:
+        arrays["force"] = snapshot.force
     for number, skin in enumerate(snapshot.skins):
         arrays |= columns(f"skin{number}", skin)
     part = path.with_name(path.name + ".part")
@@ -155,4 +158,5 @@ def load(path: Path) -> Snapshot:
             core=CoreLine(**core) if core else None,
             skins=tuple(skins),
             sheave=SheavePicture(**sheave) if sheave else None,
+            force=float(data["force"]) if "force" in data else None,
         )

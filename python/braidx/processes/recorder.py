@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -84,7 +84,9 @@ class Recorder:
         energy = state.progress.get("energy") or model.internal_energy(state.q)
         share = state.stabilisation_work / energy if energy > 0 and not state.forms else 0.0
         name = outcome.snapshot or step.kind
-        picture = model.picture(state, name) if self._wanted(outcome) else None
+        picture = None
+        if self._wanted(outcome):
+            picture = replace(model.picture(state, name), force=outcome.force / 1e3)
         friction_work = model.copies * state.friction_work
         self._results["friction_work"] = friction_work
         if outcome.snapshot and picture is not None:

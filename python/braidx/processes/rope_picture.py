@@ -9,6 +9,7 @@ from mpi4py import MPI
 
 from ..contact.contact import Contact
 from ..output.contact_table import YARN_CORE, YARN_YARN, ContactTable
+from ..output.core_line import CoreLine
 from ..output.snapshot import Snapshot, repeated
 from .state import State
 
@@ -38,8 +39,21 @@ def rope_picture(model: RopeModel, state: State, name: str) -> Snapshot:
             tuple(np.divide(t, area, dtype=np.float64) for t in tension) if own_model else None
         ),
         contacts=_contact_table(model, q),
+        core=_core(model, q),
     )
     return repeated(picture, model.copies)
+
+
+def _core(model: RopeModel, q: np.ndarray) -> CoreLine | None:
+    """The core, which stays straight and round while the rope is straight."""
+    core = model.scene.core
+    if core is None:
+        return None
+    lines = model.centre_lines(q)
+    low, high = (float(np.mean([line[end, 2] for line in lines])) for end in (0, -1))
+    height = np.linspace(low, high, len(lines[0]))
+    line = np.stack([np.zeros_like(height), np.zeros_like(height), height], axis=1)
+    return CoreLine(line, core.radius, core.inner_radius)
 
 
 def _contact_table(model: RopeModel, q: np.ndarray) -> ContactTable:

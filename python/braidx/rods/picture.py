@@ -10,10 +10,10 @@ from matplotlib import colormaps
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from ..output.figures.raycast import View
-from ..output.figures.rope import tubes_along
 from ..output.figures.shade import render
 from ..output.figures.style import INK, figure, panels, save, styled
+from ..output.figures.swept import swept
+from ..output.figures.view import View, frame
 from ..system.terms import Floats
 
 PIXELS = 1400  # along the longer side
@@ -39,22 +39,23 @@ def draw_rods(
         path: Of the PNG.
         tension: Axial force of each element of each rod, N, to colour them by; a colour per rod without it.
         towards: Direction from the scene to the eye.
-        up: Direction that is upwards in the picture, as nearly as `towards` allows.
+        up: Direction that is upwards in the picture, as nearly as `towards` allows; any if both are parallel.
     Returns:
         The path.
     """
-    axes = _frame(towards, up)
+    axes = frame(np.asarray(towards, dtype=float), np.asarray(up, dtype=float))
     low, high = _extent(lines, radii, axes)
     width, height = FRAME * (high - low)[:2]
     view = View(
         axes[0], axes[1], 0.5 * (low + high) @ axes, width, height, PIXELS / max(width, height)
     )
     scale = None if tension is None else Normalize(*_range(tension))
-    shown = tubes_along(lines, radii, _colours(lines, tension, scale))
+    colours = _colours(lines, tension, scale)
+    shown = [swept(*rod) for rod in zip(lines, radii, colours, strict=True)]
     size = 9.0 / max(width, height)
     page = figure(max(3.0, size * width) + (1.2 if scale else 0.0), max(1.5, size * height) + 0.4)
     (ax,) = panels(page, 1, 1)
-    ax.imshow(render(shown, view), extent=(0.0, width, 0.0, height))
+    ax.imshow(render(shown, view, float(np.median(radii))), extent=(0.0, width, 0.0, height))
     bar = float(10 ** np.floor(np.log10(0.4 * width)))
     ax.plot([0.0, bar], [-0.02 * height] * 2, color=INK, lw=2.0, clip_on=False)
     ax.text(0.5 * bar, -0.04 * height, f"{bar:g} mm", ha="center", va="top")
@@ -62,16 +63,6 @@ def draw_rods(
     if scale:
         page.colorbar(ScalarMappable(scale, _SCALE), ax=ax, shrink=0.7).set_label("tension (N)")
     return save(page, path)
-
-
-def _frame(towards: Sequence[float], up: Sequence[float]) -> Floats:
-    """Unit vectors to the right, upwards and towards the eye, shape (3, 3)."""
-    eye = np.asarray(towards, dtype=float) / np.linalg.norm(towards)
-    right = np.cross(up, eye)
-    if np.linalg.norm(right) < 1e-6:
-        raise ValueError(f"up = {tuple(up)} points towards the eye: choose another direction")
-    right /= np.linalg.norm(right)
-    return np.stack([right, np.cross(eye, right), eye])
 
 
 def _extent(lines: Sequence[Floats], radii: Sequence[float], axes: Floats) -> tuple[Floats, Floats]:

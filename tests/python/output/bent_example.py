@@ -59,7 +59,7 @@ def tube_skin(line: np.ndarray, owner: int, radius: float, flatten: float = 0.0)
     faces = np.stack([first, second, second + 12, first + 12], axis=-1).reshape(-1, 4)
     along = np.repeat(np.arange(len(line) - 1) / len(line), 12)
     stress = 120 + 80 * np.cos(8 * np.pi * along) * np.tile(np.cos(angle), len(line) - 1)
-    return SkinPicture(points.reshape(-1, 3), faces, np.full(len(faces), owner), stress)
+    return SkinPicture(points.reshape(-1, 3), faces, np.full(len(faces), owner), stress, stress)
 
 
 def contact_table(lines: list[np.ndarray], length: float, share: float) -> ContactTable:

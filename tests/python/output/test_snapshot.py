@@ -108,7 +108,7 @@ def test_penetration_is_measured_by_the_yarn_that_touches_the_sheave() -> None:
 def test_skins_of_triangles_and_quadrilaterals() -> None:
     corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0]], dtype=float)
     faces = np.array([[0, 1, 2, 3], [1, 4, 2, 2]])
-    skin = SkinPicture(corners, faces, np.zeros(2, dtype=np.int64), np.zeros(2))
+    skin = SkinPicture(corners, faces, np.zeros(2, dtype=np.int64), np.zeros(2), np.ones(2))
     triangles, face = skin.triangles()
     a, b, c = corners[triangles].transpose(1, 0, 2)
     area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)

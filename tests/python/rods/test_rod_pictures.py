@@ -24,6 +24,13 @@ def test_colours_by_tension(tmp_path):
     assert path.stat().st_size > 5000
 
 
-def test_an_impossible_view_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="points towards the eye"):
-        draw_rods([straight((0, 0, 0), (1, 0, 0), 2)], [1.0], tmp_path / "c.png", towards=(0, 0, 2))
+def test_a_rod_seen_from_its_end_is_a_disc(tmp_path):
+    """The direction upwards may be that to the eye: then any other is upwards."""
+    line = straight((0, 0, 0), (0, 0, 9), 2)
+    path = draw_rods([line], [1.0], tmp_path / "c.png", towards=(0, 0, 1))
+    red, _, blue = np.moveaxis(imread(path)[..., :3], -1, 0)
+    rows, columns = np.nonzero(blue - red > 0.1)
+    assert np.ptp(columns) == pytest.approx(np.ptp(rows), rel=0.02)
+    assert len(rows) == pytest.approx(np.pi / 4 * np.ptp(rows) * np.ptp(columns), rel=0.03)
+    with pytest.raises(ValueError, match="no direction"):
+        draw_rods([line], [1.0], tmp_path / "d.png", towards=(0, 0, 0))

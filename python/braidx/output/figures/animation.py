@@ -10,7 +10,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from braidx.output.figures.bent import aslant_view, bent_image
-from braidx.output.figures.bent_shapes import Colouring
+from braidx.output.figures.style import state_of
 from braidx.output.snapshot import Snapshot
 
 WIDTH = 800  # pixels
@@ -40,7 +40,7 @@ def draw_bending_movie(
     chosen = np.unique(np.linspace(0, len(snapshots) - 1, _MOST_FRAMES).round().astype(int))
     shown = [snapshots[i] for i in chosen]
     view = aslant_view(shown, width or WIDTH)
-    frames = [_frame(snapshot, bent_image(snapshot, view, Colouring.YARN)) for snapshot in shown]
+    frames = [_frame(snapshot, bent_image(snapshot, view)) for snapshot in shown]
     times = [int(1000 * seconds / len(frames))] * len(frames)
     times[-1] += 1000
     for colours, scale in ((128, 1.0), (64, 1.0), (48, 0.8), (32, 0.6)):
@@ -60,7 +60,7 @@ def _frame(snapshot: Snapshot, picture: np.ndarray) -> Image.Image:
     page = Image.new("RGB", (columns, rows + _TITLE), "white")
     page.paste(Image.fromarray((255 * on_white + 0.5).astype(np.uint8)), (0, _TITLE))
     font = ImageFont.load_default(18)
-    ImageDraw.Draw(page).text((10, 6), snapshot.name, fill="#23272e", font=font)
+    ImageDraw.Draw(page).text((10, 6), state_of(snapshot), fill="#23272e", font=font)
     return page
 
 

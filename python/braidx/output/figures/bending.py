@@ -7,10 +7,11 @@ from pathlib import Path
 
 from braidx.output.bending_measures import crown_of
 from braidx.output.figures import animation, bent, contact_map, cross_section_bent, slip_map
-from braidx.output.figures.bent_shapes import Colouring
+from braidx.output.figures.shapes import Colouring
 from braidx.output.figures.jobs import draw_jobs
 from braidx.output.interlacing import relative_displacement
 from braidx.output.measures import layers
+from braidx.output.figures.style import state_of
 from braidx.output.snapshot import Snapshot
 
 
@@ -41,14 +42,14 @@ def draw_bending(
         result = relative_displacement(
             straight.centre_lines, last.centre_lines, straight.radius, layers(straight)
         )
-        return slip_map.draw_slip_map(result, crown_of(last), path, last.name)
+        return slip_map.draw_slip_map(result, crown_of(last), path, state_of(last))
 
     jobs: dict[str, Callable[[Path], Path]] = {
         "bent.png": lambda path: bent.draw_bent(last, path),
         "bent_aslant.png": lambda path: bent.draw_aslant(last, path),
         "crown_section.png": lambda path: cross_section_bent.draw_crown_section(last, path),
     }
-    if last.axial_stress is not None or last.skins:
+    if last.axial_stress is not None:
         jobs["bent_stress.png"] = lambda path: bent.draw_bent(last, path, Colouring.STRESS)
         jobs["bent_stress_aslant.png"] = lambda path: bent.draw_aslant(last, path, Colouring.STRESS)
     if last.contacts is not None:

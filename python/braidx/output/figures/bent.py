@@ -9,12 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from braidx.output.figures.bent_shapes import STRESS_MAP, Colouring, shapes, stresses
-from braidx.output.figures.raycast import View
-from braidx.output.figures.shade import render_parts
+from braidx.output.figures.shade import render
+from braidx.output.figures.shapes import STRESS_MAP, Colouring, shapes, stress_scale
 from braidx.output.figures.sheave_shape import sheave_surface
-from braidx.output.figures.style import INK, figure, panels, save, styled
+from braidx.output.figures.style import INK, figure, panels, save, state_of, styled
 from braidx.output.figures.triangles import Triangles
+from braidx.output.figures.view import View, frame
 from braidx.output.rope_axis import axis_of
 from braidx.output.snapshot import Array, Snapshot
 
@@ -31,18 +31,18 @@ def draw_bent(snapshot: Snapshot, path: Path, colouring: Colouring = Colouring.Y
         ValueError: If stress is asked for and the snapshot has none.
     """
     scale = stress_scale(snapshot) if colouring is Colouring.STRESS else None
-    parts = shapes(snapshot, colouring, scale)
+    parts = shapes(snapshot, scale)
     low, high = _box(snapshot)
     aspect = (high[1] - low[1]) / (high[2] - low[2])
     page = figure(8.0, 2 * (7.4 * aspect + 0.5))
     axes = panels(page, 2, 1, sharex=True)
     _fill_side(axes[0], snapshot, parts, low, high)
     _fill_side(axes[1], snapshot, parts, low, high, cut=True)
-    axes[0].set_title(f"{snapshot.name}: from the side{_over(snapshot)}")
+    axes[0].set_title(f"{state_of(snapshot)}: from the side{_over(snapshot)}")
     axes[1].set_title("cut along the rope's axis")
     axes[1].set_xlabel("z (mm)")
     if scale is not None:
-        _colour_bar(axes, scale, snapshot)
+        _colour_bar(axes, scale)
     return save(page, path)
 
 
@@ -57,35 +57,30 @@ def draw_aslant(snapshot: Snapshot, path: Path, colouring: Colouring = Colouring
     view = aslant_view([snapshot], PIXELS_ACROSS)
     page = figure(8.0, 7.6 * view.height / view.width + 0.4)
     (ax,) = panels(page, 1, 1)
-    ax.imshow(bent_image(snapshot, view, colouring, scale), extent=(0, view.width, 0, view.height))
+    ax.imshow(bent_image(snapshot, view, scale), extent=(0, view.width, 0, view.height))
     bar = float(2 * 10 ** np.floor(np.log10(0.2 * view.width)))
     below = -0.02 * view.width
     ax.plot([0.0, bar], [below, below], color=INK, lw=2.0)
     ax.text(1.05 * bar, below, f"{bar:g} mm", ha="left", va="center")
     ax.set_ylim(2 * below, view.height)
     ax.set_axis_off()
-    ax.set_title(f"{snapshot.name}: {snapshot.num_yarns} yarns{_over(snapshot)}")
+    ax.set_title(f"{state_of(snapshot)}: {snapshot.num_yarns} yarns{_over(snapshot)}")
     if scale is not None:
-        _colour_bar([ax], scale, snapshot)
+        _colour_bar([ax], scale)
     return save(page, path)
 
 
-def bent_image(
-    snapshot: Snapshot, view: View, colouring: Colouring, scale: Normalize | None = None
-) -> Array:
+def bent_image(snapshot: Snapshot, view: View, scale: Normalize | None = None) -> Array:
     """Rope and sheave in a view, shape (rows, columns, 4)."""
-    parts = shapes(snapshot, colouring, scale)
+    parts = shapes(snapshot, scale)
     if snapshot.sheave is not None:
         parts.insert(0, sheave_surface(snapshot.sheave, _rope_radius(snapshot)))
-    return render_parts(parts, view, float(np.median(snapshot.radius)))
+    return render(parts, view, float(np.median(snapshot.radius)))
 
 
 def aslant_view(snapshots: list[Snapshot], pixels_across: int) -> View:
     """A view from above and aside in which all of the snapshots fit."""
-    toward = _ASLANT / np.linalg.norm(_ASLANT)
-    right = np.cross(_Y, toward)
-    right /= np.linalg.norm(right)
-    up = np.cross(toward, right)
+    right, up, _ = frame(_ASLANT, _Y)
     reach = np.array([[np.inf, np.inf], [-np.inf, -np.inf]])
     margin = max(float(snapshot.radius.max()) for snapshot in snapshots) * 1.3
     for snapshot in snapshots:
@@ -95,18 +90,6 @@ def aslant_view(snapshots: list[Snapshot], pixels_across: int) -> View:
     size, middle = reach[1] - reach[0], 0.5 * (reach[0] + reach[1])
     centre = middle[0] * right + middle[1] * up
     return View(right, up, centre, size[0], size[1], pixels_across / size[0])
-
-
-def stress_scale(snapshot: Snapshot) -> Normalize:
-    """Scale of the stresses shown, without the extreme hundredths, MPa.
-
-    Raises:
-        ValueError: If the snapshot has no stress.
-    """
-    found = stresses(snapshot)
-    if not len(found):
-        raise ValueError(f"Snapshot {snapshot.name!r} has no stress; store it when saving.")
-    return Normalize(*np.percentile(found, [1, 99]))
 
 
 def _fill_side(
@@ -130,7 +113,7 @@ def _fill_side(
         else:
             glass = surface
     radius = float(np.median(snapshot.radius))
-    picture = render_parts(parts, view, radius, glass=glass)
+    picture = render(parts, view, radius, glass=glass)
     ax.imshow(picture, extent=(low[2], high[2], low[1], high[1]), interpolation="antialiased")
     ax.set_ylabel("y (mm)")
 
@@ -162,13 +145,8 @@ def _over(snapshot: Snapshot) -> str:
     return f", over a sheave of {2.0 * snapshot.sheave.radius:g} mm"
 
 
-def _colour_bar(axes: list[Axes], scale: Normalize, snapshot: Snapshot) -> None:
+def _colour_bar(axes: list[Axes], scale: Normalize) -> None:
     bar = axes[0].figure.colorbar(
         ScalarMappable(scale, STRESS_MAP), ax=axes, shrink=0.6, pad=0.02, extend="both"
     )
-    if not snapshot.skins:
-        bar.set_label("magnitude of the axial stress of the yarn (MPa)")
-    elif snapshot.axial_stress is None:
-        bar.set_label("von Mises stress (MPa)")
-    else:
-        bar.set_label("von Mises stress; of cables and beams |axial stress| (MPa)")
+    bar.set_label("axial stress of the yarn (MPa)")

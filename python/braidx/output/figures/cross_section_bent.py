@@ -11,7 +11,7 @@ from matplotlib.patches import Circle, Patch
 
 from braidx.output.bending_measures import crown_of, skin_slices
 from braidx.output.cuts import cut
-from braidx.output.figures.bent_shapes import CORE_COLOUR
+from braidx.output.figures.shapes import CORE_COLOUR
 from braidx.output.figures.style import (
     AMBER,
     BLUE,
@@ -20,6 +20,7 @@ from braidx.output.figures.style import (
     figure,
     panels,
     save,
+    state_of,
     styled,
     yarn_colours,
 )
@@ -62,7 +63,7 @@ def draw_crown_section(snapshot: Snapshot, path: Path) -> Path:
     ax.set_aspect("equal")
     size = high - low
     ax.set_title(
-        f"{snapshot.name}: section at the crown, z = {crown:.1f} mm,\n"
+        f"{state_of(snapshot)}: section at the crown, z = {crown:.1f} mm,\n"
         f"{size[0]:.2f} mm wide and {size[1]:.2f} mm high"
     )
     ax.set_xlabel("x (mm)")

@@ -10,7 +10,17 @@ from matplotlib.ticker import LogLocator, NullLocator
 from numpy.typing import NDArray
 
 from braidx.output import history
-from braidx.output.figures.style import AMBER, BLUE, GREY, INK, figure, panels, save, styled
+from braidx.output.figures.style import (
+    AMBER,
+    BLUE,
+    GREY,
+    INK,
+    figure,
+    panels,
+    save,
+    state_of,
+    styled,
+)
 from braidx.output.measures import interior_stress, linear_fit, yarn_stress
 from braidx.output.snapshot import Array, Snapshot
 from braidx.output.summary import Expected
@@ -104,7 +114,9 @@ def draw_stress_histogram(snapshots: Sequence[Snapshot], path: Path) -> Path:
     edges = np.linspace(values.min() - 0.02 * spread, values.max() + 0.02 * spread, 41)
     for snapshot, colour, (stress, length) in zip(snapshots, (BLUE, AMBER, GREY), data):
         found = yarn_stress(snapshot)
-        label = f"{snapshot.name}: mean {found.mean:.0f}, standard deviation {found.std:.0f} MPa"
+        label = (
+            f"{state_of(snapshot)}: mean {found.mean:.0f}, standard deviation {found.std:.0f} MPa"
+        )
         weight = 100 * length / length.sum()
         ax.hist(stress, list(edges), weights=weight, color=colour, alpha=0.75, label=label)
         ax.axvline(found.mean, color=INK, lw=1.0, ls="--")

@@ -6,72 +6,19 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 
-from braidx.output.cuts import node_tangents
-from braidx.output.figures.raycast import Tubes, View
 from braidx.output.figures.shade import render
-from braidx.output.figures.style import INK, figure, panels, save, styled, yarn_colours
+from braidx.output.figures.shapes import STRESS_MAP, scale_of, shapes
+from braidx.output.figures.style import INK, figure, panels, save, state_of, styled
+from braidx.output.figures.triangles import Triangles
+from braidx.output.figures.view import View
 from braidx.output.measures import extent, interior_stress, outer_diameter
-from braidx.output.snapshot import Array, Snapshot
+from braidx.output.snapshot import Snapshot
 
 _X, _Y, _Z = np.eye(3)
-PIXELS_ACROSS = 1500  # of a rope lying along the page
-_STRESS_MAP = colormaps["viridis"]
-
-
-def tubes(
-    snapshot: Snapshot, colours: Sequence[Array], yarns: Sequence[int] | None = None
-) -> Tubes:
-    """Round tubes along smoothed centre lines.
-
-    Args:
-        snapshot: The rope.
-        colours: Per yarn one colour, shape (1, 3), or one per segment, shape (n_i - 1, 3), which
-            then changes smoothly from segment to segment.
-        yarns: The yarns to show; None shows all.
-    """
-    chosen = list(range(snapshot.num_yarns) if yarns is None else yarns)
-    return tubes_along(
-        [snapshot.centre_lines[yarn] for yarn in chosen],
-        [float(snapshot.radius[yarn]) for yarn in chosen],
-        [colours[yarn] for yarn in chosen],
-    )
-
-
-def tubes_along(lines: Sequence[Array], radii: Sequence[float], colours: Sequence[Array]) -> Tubes:
-    """Round tubes along smoothed lines, shape (n_i, 3) each, mm; colours as in `tubes`."""
-    rows: list[tuple[Array, ...]] = []
-    for line, radius, given in zip(lines, radii, colours, strict=True):
-        spacing = float(np.linalg.norm(np.diff(line, axis=0), axis=1).mean())
-        pieces = int(np.clip(round(spacing / (1.5 * radius)), 1, 8))
-        smooth = hermite(line, pieces)
-        tangent = node_tangents(smooth)
-        count = len(smooth) - 1
-        place = np.linspace(0.5 / pieces, len(line) - 1 - 0.5 / pieces, count)
-        known = 0.5 + np.arange(len(given))
-        colour = np.stack([np.interp(place, known, channel) for channel in given.T], axis=1)
-        reach = np.full(count, radius)
-        rows.append((smooth[:-1], smooth[1:], tangent[:-1], tangent[1:], reach, colour))
-    return Tubes(*(np.concatenate(column) for column in zip(*rows)))
-
-
-def hermite(line: Array, pieces: int) -> Array:
-    """Cubic through the nodes of a line, `pieces` stretches per segment."""
-    chord = np.linalg.norm(np.diff(line, axis=0), axis=1)[:, None]
-    tangent = node_tangents(line)
-    parts = []
-    for s in np.arange(pieces) / pieces:
-        parts.append(
-            (1 + 2 * s) * (1 - s) ** 2 * line[:-1]
-            + s * (1 - s) ** 2 * chord * tangent[:-1]
-            + s**2 * (3 - 2 * s) * line[1:]
-            - s**2 * (1 - s) * chord * tangent[1:]
-        )
-    return np.concatenate([np.stack(parts, axis=1).reshape(-1, 3), line[-1:]])
+PIXELS_ACROSS = 1200  # of a rope lying along the page
 
 
 @styled
@@ -83,10 +30,10 @@ def draw_forming(snapshots: Sequence[Snapshot], path: Path) -> Path:
     page = figure(12.0, 0.35 + len(snapshots) * (0.5 + 11.2 * 2 * half / length))
     axes = panels(page, len(snapshots), 1, sharex=True)
     for ax, snapshot in zip(axes, snapshots):
-        shown = tubes(snapshot, list(yarn_colours(snapshot)[:, None]))
+        shown = shapes(snapshot)
         # From the first end: until it is laid end to end the rope is one pitch long.
-        _side_view(ax, shown, low + 0.5 * length, length, half)
-        ax.set_title(f"{snapshot.name}: outer diameter {outer_diameter(snapshot):.2f} mm")
+        _side_view(ax, snapshot, shown, low + 0.5 * length, length, half)
+        ax.set_title(f"{state_of(snapshot)}: outer diameter {outer_diameter(snapshot):.2f} mm")
     axes[-1].set_xlabel(f"z (mm), {length:.0f} of {high - low:.0f} mm shown")
     return save(page, path)
 
@@ -108,13 +55,15 @@ def draw_oblique(snapshot: Snapshot, path: Path) -> Path:
     page = figure(10.0, 10.0 * 2.1 * half / width + 0.3)
     (ax,) = panels(page, 1, 1)
     box = (0.0, width, -1.05 * half, 1.05 * half)
-    ax.imshow(render(tubes(snapshot, list(yarn_colours(snapshot)[:, None])), view), extent=box)
+    ax.imshow(render(shapes(snapshot), view, float(np.median(snapshot.radius))), extent=box)
     bar = float(2 * 10 ** np.floor(np.log10(half)))
     ax.plot([0, 0], [-0.5 * bar, 0.5 * bar], color=INK, lw=2.0, clip_on=False)
     ax.text(-0.008 * width, 0, f"{bar:g} mm", rotation=90, ha="right", va="center")
     ax.set_axis_off()
     diameter = outer_diameter(snapshot)
-    ax.set_title(f"{snapshot.name}: {snapshot.num_yarns} yarns, outer diameter {diameter:.2f} mm")
+    ax.set_title(
+        f"{state_of(snapshot)}: {snapshot.num_yarns} yarns, outer diameter {diameter:.2f} mm"
+    )
     return save(page, path)
 
 
@@ -126,28 +75,26 @@ def draw_stress(snapshot: Snapshot, path: Path) -> Path:
         ValueError: If the snapshot has no axial stress.
     """
     inside, _ = interior_stress(snapshot)
-    assert snapshot.axial_stress is not None
-    scale = Normalize(*np.percentile(inside, [1, 99]))
-    colours = [_STRESS_MAP(scale(stress))[:, :3] for stress in snapshot.axial_stress]
+    scale = scale_of(inside, snapshot.name)
     half = _half_width(snapshot)
     low, high = extent(snapshot)
     middle, length = 0.5 * (low + high), min(high - low, 12.0 * half)
     strand = int(snapshot.strand[0])
     members = [int(yarn) for yarn in np.flatnonzero(snapshot.strand == strand)]
-    whole = tubes(snapshot, colours)
+    whole, alone = shapes(snapshot, scale), shapes(snapshot, scale, members)
 
     heights = [2 * half / (high - low), 2 * half / length, 2 * half / length]
     page = figure(12.0, 10.6 * sum(heights) + 2.0)
     axes = panels(page, 3, 1, height_ratios=heights)
-    _side_view(axes[0], whole, middle, high - low, half)
-    axes[0].set_title(f"{snapshot.name}: whole rope")
-    _side_view(axes[1], whole, middle, length, half, cut_depth=0.0)
+    _side_view(axes[0], snapshot, whole, middle, high - low, half)
+    axes[0].set_title(f"{state_of(snapshot)}: whole rope")
+    _side_view(axes[1], snapshot, whole, middle, length, half, cut_depth=0.0)
     axes[1].set_title("section along the rope's axis")
-    _side_view(axes[2], tubes(snapshot, colours, members), middle, length, half)
+    _side_view(axes[2], snapshot, alone, middle, length, half)
     axes[2].set_title(f"strand {strand} alone")
     axes[2].set_xlabel("z (mm)")
     colour_bar = page.colorbar(
-        ScalarMappable(scale, _STRESS_MAP), ax=axes, shrink=0.7, pad=0.01, extend="both"
+        ScalarMappable(scale, STRESS_MAP), ax=axes, shrink=0.7, pad=0.01, extend="both"
     )
     colour_bar.set_label("axial stress of the yarn (MPa)")
     return save(page, path)
@@ -160,10 +107,17 @@ def _half_width(snapshot: Snapshot) -> float:
 
 
 def _side_view(
-    ax: Axes, shown: Tubes, middle: float, length: float, half: float, cut_depth: float = np.inf
+    ax: Axes,
+    snapshot: Snapshot,
+    shown: Sequence[Triangles],
+    middle: float,
+    length: float,
+    half: float,
+    cut_depth: float = np.inf,
 ) -> None:
     """Fill axes with a view across z, true to scale; x points away from the eye."""
     view = View(_Z, _Y, middle * _Z, length, 2 * half, PIXELS_ACROSS / length, cut_depth)
     box = (middle - 0.5 * length, middle + 0.5 * length, -half, half)
-    ax.imshow(render(shown, view), extent=box, interpolation="antialiased")
+    picture = render(shown, view, float(np.median(snapshot.radius)))
+    ax.imshow(picture, extent=box, interpolation="antialiased")
     ax.set_ylabel("y (mm)")

@@ -19,6 +19,7 @@ from braidx.output.figures.style import (
     figure,
     panels,
     save,
+    state_of,
     styled,
     yarn_colours,
 )
@@ -42,7 +43,7 @@ def draw_steps(snapshots: Sequence[Snapshot], path: Path) -> Path:
     axes = panels(page, 1, len(snapshots), sharey=True)
     for ax, snapshot, section in zip(axes, snapshots, sections):
         _draw(ax, snapshot, section, half)
-        ax.set_title(f"{snapshot.name}\ndiameter {tape_diameter(section):.2f} mm")
+        ax.set_title(f"{state_of(snapshot)}\ndiameter {tape_diameter(section):.2f} mm")
         ax.set_xlabel("x (mm)")
     axes[0].set_ylabel("y (mm)")
     return save(page, path)
@@ -67,7 +68,7 @@ def draw_section(snapshot: Snapshot, path: Path) -> Path:
     label = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 2.0}
     ax.text(0, 0, f"{diameter:.2f} mm", ha="center", va="center", fontsize=11, bbox=label)
     ax.set_title(
-        f"{snapshot.name}: section at z = {section.z:.1f} mm\n"
+        f"{state_of(snapshot)}: section at z = {section.z:.1f} mm\n"
         f"yarns fill {100 * packing_fraction(section):.0f} % of the circle; "
         f"by tape the rope has {outer_diameter(snapshot):.2f} mm"
     )

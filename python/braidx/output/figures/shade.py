@@ -1,4 +1,4 @@
-"""Light and shadow for what a view sees of tubes and surfaces."""
+"""Light and shadow for what a view sees of surfaces."""
 
 from __future__ import annotations
 
@@ -6,35 +6,23 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from braidx.output.figures.raycast import Tubes, View
-from braidx.output.figures.seen import Seen, see
-from braidx.output.figures.triangles import Triangles
-from braidx.output.snapshot import Array
+from braidx.output.arrays import Array
+from braidx.output.figures.triangles import Fragments, Triangles, joined, rasterise
+from braidx.output.figures.view import View
 
-_LIGHT = np.array([-0.35, 0.65, 0.68])  # from the upper left, in front
+_LIGHT = np.array([-0.35, 0.65, 0.68], dtype=np.float32)  # from the upper left, in front
 _HALF = (_LIGHT + (0.0, 0.0, 1.0)) / np.linalg.norm(_LIGHT + (0.0, 0.0, 1.0))
 
 
-def render(tubes: Tubes, view: View, supersample: int = 2) -> Array:
-    """Picture of tubes, shape (rows, columns, 4): red, green, blue, opacity, 0..1.
-
-    Args:
-        tubes: What is shown.
-        view: From where; its pixels are those of the result.
-        supersample: Rays per pixel in either direction.
-    """
-    return render_parts([tubes], view, float(np.median(tubes.radius)), supersample)
-
-
-def render_parts(
-    parts: Sequence[Tubes | Triangles],
+def render(
+    parts: Sequence[Triangles],
     view: View,
     radius: float,
     supersample: int = 2,
     glass: Triangles | None = None,
     opacity: float = 0.45,
 ) -> Array:
-    """Picture of tubes and surfaces together, shape (rows, columns, 4), as of `render`.
+    """Picture of surfaces, shape (rows, columns, 4): red, green, blue, opacity, 0..1.
 
     Args:
         parts: What is shown.
@@ -42,47 +30,51 @@ def render_parts(
         radius: How wide the grooves are that lie in shadow, mm.
         supersample: Rays per pixel in either direction.
         glass: A surface through which the parts behind it are seen.
-        opacity: Share of the glass in the colour of what is seen through it.
+        opacity: Fraction of the glass in the colour of what is seen through it.
     """
     fine = view.finer(supersample)
-    seen = see(parts, fine)
+    seen = rasterise(joined(parts), fine)
     colour, covered = _shaded(seen, radius, fine), seen.covered
     if glass is not None:
-        pane = see([glass], fine)
+        pane = rasterise(glass, fine)
         front = pane.covered & (pane.depth > seen.depth)
         share = np.where(front, np.where(covered, opacity, 1.0), 0.0)[..., None]
         colour = (1.0 - share) * colour + share * _shaded(pane, radius, fine)
         covered = covered | front
     rows, columns = view.shape
-    picture = np.concatenate([colour * covered[..., None], covered[..., None]], axis=2)
-    picture = picture.reshape(rows, supersample, columns, supersample, 4)
-    alpha = picture[..., 3:].mean(axis=(1, 3))
-    mean = picture[..., :3].mean(axis=(1, 3)) / np.maximum(alpha, 1e-9)
+    blocks = (rows, supersample, columns, supersample)
+    alpha = covered.reshape(blocks).mean(axis=(1, 3))[..., None]
+    # What is not covered is black and adds nothing.
+    mean = colour.reshape(*blocks, 3).mean(axis=(1, 3)) / np.maximum(alpha, 1e-9)
     return np.concatenate([mean, alpha], axis=2)
 
 
-def _shaded(seen: Seen, radius: float, view: View) -> Array:
+def _shaded(seen: Fragments, radius: float, view: View) -> Array:
     """Colours under the light; zero where nothing is seen."""
     if not seen.covered.any():
         return np.zeros_like(seen.colour)
     colour = seen.colour * _brightness(seen, radius, view)[..., None]
-    shine = 0.16 * np.clip(seen.normal @ _HALF, 0.0, 1.0) ** 24 * ~seen.is_cut
-    return np.where(seen.covered[..., None], np.clip(colour + shine[..., None], 0, 1), 0.0)
+    gloss = np.clip(seen.normal @ _HALF, 0.0, 1.0) ** 8
+    colour += (0.16 * gloss * gloss * gloss * (seen.covered & ~seen.is_cut))[..., None]
+    shaded: Array = np.clip(colour, 0.0, 1.0)
+    return shaded
 
 
-def _brightness(seen: Seen, radius: float, view: View) -> Array:
+def _brightness(seen: Fragments, radius: float, view: View) -> Array:
     """Diffuse light, dimmed in the grooves between parts."""
     diffuse = 0.38 + 0.68 * np.clip(0.3 + 0.7 * (seen.normal @ _LIGHT), 0.0, 1.0)
     diffuse = np.where(seen.is_cut, 1.06, diffuse)
-    floor = seen.depth[seen.covered].min()
-    depth = np.where(seen.covered, seen.depth, floor)
+    # Shadows are smooth: every second pixel will do.
+    covered, depth = seen.covered[::2, ::2], seen.depth[::2, ::2]
+    depth = np.where(covered, depth, depth[covered].min() if covered.any() else 0.0)
     open_sky = np.ones_like(depth)
     for reach in (0.6, 2.0):
-        size = max(int(round(reach * radius * view.pixels_per_mm)), 1)
+        size = max(int(round(reach * radius * 0.5 * view.pixels_per_mm)), 1)
         # How much lower a point lies than its neighbourhood, in radii.
-        lower = (_blur(np.maximum(depth, floor), size) - depth) / (reach * radius)
+        lower = (_blur(depth, size) - depth) / (reach * radius)
         open_sky *= 1.0 - 0.55 * np.clip(lower, 0.0, 1.0)
-    brightness: Array = diffuse * open_sky
+    rows, columns = seen.depth.shape
+    brightness: Array = diffuse * open_sky.repeat(2, axis=0)[:rows].repeat(2, axis=1)[:, :columns]
     return brightness
 
 

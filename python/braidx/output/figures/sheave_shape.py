@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from braidx.output.figures.triangles import Triangles, joined, smooth_normals
@@ -41,7 +43,7 @@ def sheave_surface(sheave: SheavePicture, rope_radius: float) -> Triangles:
     ]
     # Each with points of its own, so that edges between them stay sharp.
     surfaces = [_revolved(sheave, piece) for piece in pieces]
-    return joined(surfaces)
+    return replace(joined(surfaces), closed=True)
 
 
 def _revolved(sheave: SheavePicture, profile: Array) -> Triangles:

@@ -53,6 +53,14 @@ def styled(draw: Callable[P, Path]) -> Callable[P, Path]:
     return wrapper
 
 
+def state_of(snapshot: Snapshot) -> str:
+    """What a title calls a state: its name and the force on the rope, where that is known."""
+    if snapshot.force is None:
+        return snapshot.name
+    force = f"{snapshot.force:.4g} kN"
+    return force if snapshot.name == force else f"{snapshot.name}, {force}"
+
+
 def yarn_colours(snapshot: Snapshot) -> Array:
     """Colour of each yarn, shape (num_yarns, 3): hue by layer, tone by strand.
 

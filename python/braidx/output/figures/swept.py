@@ -6,7 +6,6 @@ import numpy as np
 
 from braidx.output.arrays import Array
 from braidx.output.cuts import node_tangents
-from braidx.output.figures.rope import hermite
 from braidx.output.figures.triangles import Triangles
 
 _SIDES = 20
@@ -55,7 +54,23 @@ def swept(line: Array, radius: float, colour: Array) -> Triangles:
         np.concatenate([outward.reshape(-1, 3), lids, [-tangent[0], tangent[-1]]]),
         np.concatenate([*corners, lid, other]),
         np.concatenate([tint, tint, along[:1].repeat(_SIDES, 0), along[-1:].repeat(_SIDES, 0)]),
+        closed=True,
     )
+
+
+def hermite(line: Array, pieces: int) -> Array:
+    """Cubic through the nodes of a line, `pieces` stretches per segment."""
+    chord = np.linalg.norm(np.diff(line, axis=0), axis=1)[:, None]
+    tangent = node_tangents(line)
+    parts = []
+    for s in np.arange(pieces) / pieces:
+        parts.append(
+            (1 + 2 * s) * (1 - s) ** 2 * line[:-1]
+            + s * (1 - s) ** 2 * chord * tangent[:-1]
+            + s**2 * (3 - 2 * s) * line[1:]
+            - s**2 * (1 - s) * chord * tangent[1:]
+        )
+    return np.concatenate([np.stack(parts, axis=1).reshape(-1, 3), line[-1:]])
 
 
 def _carried(tangent: Array) -> Array:

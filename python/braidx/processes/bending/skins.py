@@ -34,4 +34,9 @@ def skin_picture(body: SolidBody, q: Floats, tag: str, owners: Sequence[int]) ->
     used, number = np.unique(faces, return_inverse=True)
     cells = np.repeat(facets[:, 0], len(corners))
     owner: Ints = np.asarray(owners, dtype=np.int64)[body.mesh.cell_part[cells]]
-    return SkinPicture(q[used], number.reshape(faces.shape), owner, body.von_mises(q)[cells])
+    along: Floats = np.full(body.num_elements, np.nan)
+    if (owner >= 0).any():  # a core has no fibre
+        along = body.fibre_stress(q)
+    return SkinPicture(
+        q[used], number.reshape(faces.shape), owner, body.von_mises(q)[cells], along[cells]
+    )

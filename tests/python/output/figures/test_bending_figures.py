@@ -14,7 +14,7 @@ from PIL import Image
 
 from braidx.output.figures import animation, bent, draw_all, style
 from braidx.output.figures.bending import draw_bending
-from braidx.output.figures.bent_shapes import Colouring, shapes, stresses
+from braidx.output.figures.shapes import STRESS_MAP, Colouring, shapes, stress_scale, stresses
 from braidx.output.figures.cross_section_bent import crown_outlines
 from braidx.output.figures.unrolled import from_sheave
 
@@ -88,15 +88,15 @@ def test_a_yarn_is_a_tube_only_where_it_has_no_skin() -> None:
     whole = small(1.0)
     line = whole.centre_lines[0]
     mixed = replace(whole, skins=(tube_skin(line[20:31], 0, YARN),), core=None)
-    parts = shapes(mixed, Colouring.YARN)
+    parts = shapes(mixed)
     assert len(parts) == 2 + 11 + 1  # two ends of yarn 0, eleven yarns, one skin
     ends = [part.points[-2:] for part in parts[:2]]  # middles of the lids
     np.testing.assert_allclose(ends[0], line[[0, 20]], atol=1e-12)
     np.testing.assert_allclose(ends[1], line[[30, 48]], atol=1e-12)
     assert len(stresses(mixed)) == 12 * 48 - 10 + 10 * 12  # ten segments give way to ten rings
     solid = small(1.0, solids=True)
-    assert len(shapes(solid, Colouring.YARN)) == 13  # twelve yarns and the core, all skins
-    assert len(shapes(whole, Colouring.YARN)) == 14  # the core is a tube with a bore
+    assert len(shapes(solid)) == 13  # twelve yarns and the core, all skins
+    assert len(shapes(whole)) == 14  # the core is a tube with a bore
 
 
 def test_the_section_at_the_crown_has_every_yarn_once() -> None:
@@ -115,3 +115,15 @@ def test_stress_that_is_missing_is_named(tmp_path: Path) -> None:
 def test_angles_are_counted_from_the_sheave() -> None:
     angle = np.deg2rad([-90.0, 0.0, 90.0, 180.0])
     np.testing.assert_allclose(from_sheave(angle), [0.0, 90.0, -180.0, -90.0])
+
+
+def test_stress_is_shown_with_its_sign() -> None:
+    one = replace(small(1.0), core=None)
+    signed = tuple(np.where(np.arange(len(s)) % 2, -50.0, 150.0) for s in one.axial_stress)
+    scale = stress_scale(replace(one, axial_stress=signed))
+    assert (scale.vmin, scale.vmax) == (-50.0, 150.0)
+    pulled = tuple(np.full(len(s), 150.0) for s in one.axial_stress)
+    pushed = tuple(np.full(len(s), -50.0) for s in one.axial_stress)
+    for stress, value in ((pulled, 1.0), (pushed, 0.0)):
+        for part in shapes(replace(one, axial_stress=stress), scale):
+            np.testing.assert_allclose(part.colour, [STRESS_MAP(value)[:3]] * len(part.colour))

@@ -14,7 +14,10 @@ from rope_example import rope
 from braidx.output import snapshot as snapshots_io
 from braidx.output.figures import __main__ as again
 from braidx.output.figures import curves, draw_all, rope as pictures, style
+from braidx.output.core_line import CoreLine
+from braidx.output.figures.shapes import CORE_COLOUR, scale_of, shapes
 from braidx.output.history import History, HistoryRow, read
+from braidx.output.measures import extent
 from braidx.output.summary import Reference
 
 REFERENCES = {"rope_axial_stiffness": Reference(9512.0, "paper 1, table 2", 0.1)}
@@ -103,10 +106,32 @@ def test_hue_tells_layers_apart_and_a_single_strand_its_yarns() -> None:
     assert len(np.unique(style.yarn_colours(single), axis=0)) == 3
 
 
-def test_centre_lines_are_smoothed_through_their_nodes() -> None:
-    one = rope(nodes=41, strands=2)
-    shown = pictures.tubes(one, list(np.ones((14, 1, 3))), yarns=[0])
-    pieces = len(shown.start) // 40
-    assert pieces > 1
-    np.testing.assert_allclose(shown.start[::pieces], one.centre_lines[0][:-1], atol=1e-12)
-    np.testing.assert_allclose(shown.start[1:], shown.end[:-1])
+def test_colours_of_stresses_span_a_tenth_of_their_mean() -> None:
+    narrow = scale_of(np.linspace(307.0, 315.0, 101), "a state")
+    assert narrow.vmax - narrow.vmin == pytest.approx(0.1 * 311.0)
+    assert 0.5 * (narrow.vmax + narrow.vmin) == pytest.approx(311.0)
+    wide = scale_of(np.linspace(-100.0, 300.0, 101), "a state")
+    assert (wide.vmin, wide.vmax) == pytest.approx((-96.0, 296.0))
+    same = scale_of(np.zeros(5), "a state")
+    assert same.vmin < 0.0 < same.vmax
+    with pytest.raises(ValueError, match="a state has no stress"):
+        scale_of(np.empty(0), "a state")
+
+
+def test_the_core_is_drawn_in_straight_ropes() -> None:
+    one = rope("formed", pitches=0.25, nodes=9, strands=4)
+    low, high = extent(one)
+    line = np.array([[0.0, 0.0, low], [0.0, 0.0, high]])
+    with_core = replace(one, core=CoreLine(line, 1.0))
+    assert len(shapes(with_core)) == len(shapes(one)) + 1
+    core = shapes(with_core)[0]
+    np.testing.assert_allclose(np.unique(core.colour, axis=0), [CORE_COLOUR])
+    assert np.hypot(core.points[:, 0], core.points[:, 1]).max() == pytest.approx(1.0)
+    assert len(shapes(with_core, yarns=[0])) == 1
+
+
+def test_titles_name_the_force_on_the_rope() -> None:
+    one = rope(nodes=5, strands=2)
+    assert style.state_of(replace(one, name="settled", force=2.0)) == "settled, 2 kN"
+    assert style.state_of(replace(one, name="5 kN", force=5.0)) == "5 kN"
+    assert style.state_of(replace(one, name="start")) == "start"

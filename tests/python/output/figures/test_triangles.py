@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 
 from braidx.output import SheavePicture
-from braidx.output.figures.raycast import View
-from braidx.output.figures.seen import see
-from braidx.output.figures.shade import render_parts
+from braidx.output.figures.shade import render
 from braidx.output.figures.sheave_shape import sheave_surface
-from braidx.output.figures.swept import swept
+from braidx.output.figures.swept import hermite, swept
 from braidx.output.figures.triangles import Triangles, joined, rasterise
+from braidx.output.figures.view import View, frame
 
 _X, _Y, _Z = np.eye(3)
 VIEW = View(right=_X, up=_Y, centre=np.zeros(3), width=10.0, height=6.0, pixels_per_mm=20.0)
@@ -58,7 +57,7 @@ def test_a_swept_tube_lies_on_its_cylinder(tilt: float) -> None:
     across = points - (points @ axis)[:, None] * axis
     distance = np.linalg.norm(across, axis=1)
     sagitta = 1 - np.cos(np.pi / 20)
-    assert 1 - sagitta - 1e-9 <= distance.min() and distance.max() <= 1 + 1e-9
+    assert 1 - sagitta - 1e-5 <= distance.min() and distance.max() <= 1 + 1e-5
     cosine = np.einsum("ij,ij->i", found.normal[rows, columns], across) / distance
     assert cosine.min() > 0.999
 
@@ -70,7 +69,7 @@ def test_ends_of_tubes_are_closed_and_face_outwards() -> None:
     assert volume == pytest.approx(20 / 2 * np.sin(2 * np.pi / 20) * 4)
     found = rasterise(one, VIEW)
     assert found.depth[60, 100] == pytest.approx(2.0)
-    np.testing.assert_allclose(found.normal[60, 100], _Z, atol=1e-12)
+    np.testing.assert_allclose(found.normal[60, 100], _Z, atol=1e-6)
 
 
 def test_a_cutting_plane_shows_the_inside() -> None:
@@ -81,7 +80,7 @@ def test_a_cutting_plane_shows_the_inside() -> None:
     cut = found.is_cut[:, 100]
     assert cut.sum() / 20 == pytest.approx(2 * np.sqrt(0.75), abs=0.11)
     assert (found.depth[found.is_cut] == 0.5).all()
-    seen = see([one], cut_view)
+    seen = rasterise(one, cut_view)
     np.testing.assert_array_equal(seen.colour[found.is_cut][0], BLUE[0])
     assert (rasterise(tube([-30, 0, 3], [30, 0, 3]), cut_view).triangle == -1).all()
 
@@ -90,16 +89,16 @@ def test_the_nearer_part_hides_the_other_and_a_cut_shows_the_bore() -> None:
     far, near = tube([-9, 0, -2], [9, 0, -2]), replace(tube([0, -9, 2], [0, 9, 2]))
     near = replace(near, colour=np.broadcast_to(BLUE, near.colour.shape))
     for parts in ([far, near], [near, far]):
-        assert see(parts, VIEW).colour[60, 100, 2] == 1.0
+        assert rasterise(joined(parts), VIEW).colour[60, 100, 2] == 1.0
     bore = replace(swept(np.linspace([-9, 0, 0], [9, 0, 0], 9), 0.5, BLUE))
-    seen = see([tube([-9, 0, 0], [9, 0, 0]), bore], replace(VIEW, cut_depth=0.0))
+    seen = rasterise(joined([tube([-9, 0, 0], [9, 0, 0]), bore]), replace(VIEW, cut_depth=0.0))
     assert seen.colour[60, 100, 2] == 1.0 and seen.colour[45, 100, 0] == 1.0
 
 
 def test_a_cut_body_is_whole_where_another_one_dips_into_it_behind() -> None:
     bodies = [tube([-9, 0, 0], [9, 0, 0]), tube([0, -9, -1.4], [0, 9, -1.4], 0.5)]
     for parts in (bodies, [joined(bodies)]):
-        seen = see(parts, replace(VIEW, cut_depth=0.0))
+        seen = rasterise(joined(parts), replace(VIEW, cut_depth=0.0))
         assert seen.is_cut[45:75, 60:140].all()
         assert not seen.is_cut[:30].any()
 
@@ -108,7 +107,7 @@ def test_through_glass_both_are_seen() -> None:
     behind = tube([-9, 0, -3], [9, 0, -3])
     pane = replace(tube([0, -9, 2], [0, 9, 2]))
     pane = replace(pane, colour=np.broadcast_to(BLUE, pane.colour.shape))
-    picture = render_parts([behind], VIEW, 1.0, glass=pane)
+    picture = render([behind], VIEW, 1.0, glass=pane)
     both, alone, clear = picture[60, 100], picture[20, 100], picture[60, 30]
     assert both[0] > 0.2 and both[2] > 0.2
     assert alone[0] < 0.25 and alone[2] > 0.5 and alone[3] == 1.0  # the shine is white
@@ -141,3 +140,49 @@ def test_the_mark_turns_with_the_sheave() -> None:
         views.append(surface.points[surface.corners[darkest]].mean(axis=(0, 1)))
     np.testing.assert_allclose(views[0][1:], -views[1][1:], atol=1e-9)
     assert np.linalg.norm(views[0][1:]) > 5.0
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_the_silhouette_of_a_bent_tube_has_its_area_and_no_gaps(closed: bool) -> None:
+    turn = np.linspace(0.0, np.pi, 9)  # half a ring of radius 2.2, from nine nodes
+    line = np.stack([2.2 * np.cos(turn), 2.2 * np.sin(turn) - 1.0, 0.0 * turn], axis=1)
+    seen = rasterise(replace(swept(line, 0.6, RED), closed=closed), VIEW)
+    assert seen.covered.sum() / 400 == pytest.approx(
+        np.pi * 2.2 * 1.2, rel=0.0125
+    )  # a polygon of 20 sides: width 0.988 to 1
+    # Along a ray from the ring's middle every pixel between inner and outer rim is covered.
+    for angle in np.linspace(0.1, np.pi - 0.1, 200):
+        reach = np.linspace(2.2 - 0.55, 2.2 + 0.55, 60)
+        x, y = reach * np.cos(angle), reach * np.sin(angle) - 1.0
+        rows, columns = np.floor((3.0 - y) * 20).astype(int), np.floor((x + 5.0) * 20).astype(int)
+        assert seen.covered[rows, columns].all()
+
+
+def test_a_picture_has_the_colour_of_what_it_shows_and_a_clear_background() -> None:
+    picture = render([tube([-30, 0, 0], [30, 0, 0])], VIEW, 1.0)
+    assert picture.shape == (120, 200, 4)
+    assert picture[0, 0, 3] == 0.0 and picture[60, 100, 3] == 1.0
+    assert picture[60, 100, 0] > 0.5 > picture[60, 100, 1]
+    assert picture.min() >= 0.0 and picture.max() <= 1.0
+    assert picture[..., 3].sum() == pytest.approx(200 * 40, rel=0.01)
+    empty = render([tube([99, 99, 0], [100, 99, 0])], VIEW, 1.0)
+    assert (empty[..., 3] == 0).all()
+
+
+@pytest.mark.parametrize("towards", [(0, 0, 1), (0, 0, -2.0), (1.0, -1.6, 0.9)])
+def test_any_direction_has_a_view(towards: tuple[float, ...]) -> None:
+    axes = frame(np.array(towards, dtype=float), _Z)
+    np.testing.assert_allclose(axes @ axes.T, np.eye(3), atol=1e-12)
+    assert np.linalg.det(axes) == pytest.approx(1.0)
+    np.testing.assert_allclose(axes[2], np.array(towards) / np.linalg.norm(towards), atol=1e-12)
+    with pytest.raises(ValueError, match="no direction"):
+        frame(np.zeros(3), _Z)
+
+
+def test_centre_lines_are_smoothed_through_their_nodes() -> None:
+    turn = np.linspace(0.0, 3.0, 11)
+    line = np.stack([np.cos(turn), np.sin(turn), turn], axis=1)
+    smooth = hermite(line, 4)
+    np.testing.assert_allclose(smooth[::4], line, atol=1e-12)
+    radius = np.hypot(smooth[4:-4, 0], smooth[4:-4, 1])
+    np.testing.assert_allclose(radius, 1.0, atol=2e-4)  # a chord's sagitta is 0.011

@@ -1,7 +1,8 @@
-"""Tubes and surfaces that a bent rope is drawn with."""
+"""Surfaces that a rope, straight or bent, is drawn with."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import Enum
 
 import numpy as np
@@ -20,6 +21,7 @@ STRESS_MAP = colormaps["viridis"]
 CORE_COLOUR = to_rgb("#b9b1a1")
 _HOLE_COLOUR = to_rgb("#4a4640")
 _UNKNOWN = to_rgb("#c9ccd1")
+LEAST_SPAN = 0.1  # of the mean magnitude: narrower scales would show noise in full colour
 _NEAR = 1.15  # yarn radii from a skin: there the tube of the yarn lies within the skin
 
 
@@ -31,49 +33,84 @@ class Colouring(Enum):
 
 
 def shapes(
-    snapshot: Snapshot, colouring: Colouring, scale: Normalize | None = None
+    snapshot: Snapshot,
+    scale: Normalize | None = None,
+    yarns: Sequence[int] | None = None,
 ) -> list[Triangles]:
-    """Everything of the rope; what is drawn as a surface is not drawn as a tube as well.
+    """Everything of the rope; what is drawn as a skin is not drawn as a tube as well.
 
     Args:
         snapshot: The rope.
-        colouring: By yarn, or by stress: von Mises on surfaces, magnitude of the axial stress on
-            tubes, which is the same in a yarn that is only pulled.
-        scale: Of the stress, MPa.
+        scale: Of the axial stress of yarns, MPa, positive in tension, to colour them by; None colours them by
+            layer and strand. The core keeps its colour.
+        yarns: The yarns to show, without the core; None shows all and the core.
     """
-    yarns = yarn_colours(snapshot)
-    parts = _core_tubes(snapshot)
-    if colouring is Colouring.STRESS and scale is not None and snapshot.axial_stress is not None:
-        colours = [STRESS_MAP(scale(np.abs(s)))[:, :3] for s in snapshot.axial_stress]
-    elif colouring is Colouring.STRESS:
-        colours = [np.array([_UNKNOWN])] * snapshot.num_yarns
-    else:
-        colours = list(yarns[:, None])
-    for yarn in range(snapshot.num_yarns):
-        line, colour = snapshot.centre_lines[yarn], colours[yarn]
+    parts = _core_tubes(snapshot) if yarns is None else []
+    own = yarn_colours(snapshot)
+    shown = range(snapshot.num_yarns) if yarns is None else yarns
+    for yarn in shown:
+        line, colour = snapshot.centre_lines[yarn], _tube_colour(snapshot, yarn, own, scale)
         for first, last in _bare_stretches(snapshot, yarn):
             piece = colour[first : last - 1] if len(colour) > 1 else colour
             parts.append(swept(line[first:last], float(snapshot.radius[yarn]), piece))
-    for skin in snapshot.skins:
-        if colouring is Colouring.STRESS and scale is not None:
-            colour = STRESS_MAP(scale(skin.von_mises))[:, :3]
-            colour = np.where(np.isfinite(skin.von_mises)[:, None], colour, _UNKNOWN)
-        else:
-            colour = np.concatenate([yarns, [CORE_COLOUR]])[skin.owner]  # -1 is the core
-        # What the stress is inside, a skin does not know.
-        inside = np.tile(_UNKNOWN, (len(colour), 1)) if colouring is Colouring.STRESS else colour
+    for skin in snapshot.skins if yarns is None else ():
+        colour = np.concatenate([own, [CORE_COLOUR]])[skin.owner]  # -1 is the core
+        inside = colour
+        if scale is not None:
+            stressed = np.isfinite(skin.axial_stress)
+            with_stress = np.asarray(STRESS_MAP(scale(np.nan_to_num(skin.axial_stress))))[:, :3]
+            colour = np.where(stressed[:, None], with_stress, colour)
+            # Skins have no stress of the section that a cut shows.
+            inside = np.where(stressed[:, None], _UNKNOWN, colour)
         parts.append(_surface(skin, colour, inside))
     return parts
 
 
+def stress_scale(snapshot: Snapshot) -> Normalize:
+    """Scale of the axial stresses that `shapes` shows, MPa.
+
+    It leaves out the extreme hundredths, and spans at least a tenth of the mean magnitude: differences below that are
+    shown as what they are, small.
+
+    Raises:
+        ValueError: If the snapshot has no stress.
+    """
+    return scale_of(stresses(snapshot), f"Snapshot {snapshot.name!r}")
+
+
 def stresses(snapshot: Snapshot) -> Array:
-    """All stresses that `shapes` shows, MPa; empty if there are none."""
-    found = [skin.von_mises[np.isfinite(skin.von_mises)] for skin in snapshot.skins]
+    """All axial stresses that `shapes` shows, MPa; empty if there are none."""
+    found = [skin.axial_stress[np.isfinite(skin.axial_stress)] for skin in snapshot.skins]
     if snapshot.axial_stress is not None:
         for yarn, stress in enumerate(snapshot.axial_stress):
             covered = _covered(snapshot, yarn)
-            found.append(np.abs(stress[~(covered[1:] & covered[:-1])]))
+            found.append(stress[~(covered[1:] & covered[:-1])])
     return np.concatenate([np.empty(0), *found])
+
+
+def scale_of(values: Array, owner: str) -> Normalize:
+    """Scale of some values without their extreme hundredths, at least `LEAST_SPAN` of their mean magnitude wide.
+
+    Raises:
+        ValueError: If there are no values.
+    """
+    if not len(values):
+        raise ValueError(f"{owner} has no stress; store it when saving.")
+    low, high = np.percentile(values, [1, 99])
+    least = max(LEAST_SPAN * float(np.abs(values).mean()), np.finfo(float).tiny)
+    if high - low < least:
+        middle = 0.5 * (low + high)
+        low, high = middle - 0.5 * least, middle + 0.5 * least
+    return Normalize(float(low), float(high))
+
+
+def _tube_colour(snapshot: Snapshot, yarn: int, own: Array, scale: Normalize | None) -> Array:
+    """Colour of a yarn's tube, shape (1, 3), or per segment where stresses are shown."""
+    if scale is None:
+        return own[yarn][None]
+    if snapshot.axial_stress is None:
+        return np.array([_UNKNOWN])
+    return np.asarray(STRESS_MAP(scale(snapshot.axial_stress[yarn])))[:, :3]
 
 
 def _covered(snapshot: Snapshot, yarn: int) -> NDArray[np.bool_]:
