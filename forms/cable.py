@@ -1,15 +1,14 @@
 """Cable: a curve that resists stretching only.
 
-Three unknowns per node, the current position x. With the stretch lambda = |x'| and the force L = L0 + EA (lambda - 1)
-of an elastic bar, L0 such that T is T0 in the reference configuration, the tension T and the energy W per reference
+Three unknowns per node, the current position x. With the stretch lambda = |x'| and the force L = T0 + EA (lambda - 1)
+of an elastic bar, T0 being the tension of the reference configuration, the tension T and the energy W per reference
 length are
 
-    T = L,               W = (L^2 / 2 + S^2 / 6) / EA    where L > S,
-    T = (L + S)^2 / 4 S, W = (L + S)^3 / (12 S EA)       in between, S = SLACK EA,
-    T = 0,               W = 0                           where L < -S.
+    T = max(L, 0),  W = T^2 / (2 EA).
 
-A yarn of thousands of filaments buckles instead of being compressed. T >= 0 keeps the tangent positive
-semidefinite, also transversely.
+A yarn of thousands of filaments buckles instead of being compressed. T >= 0 keeps the second derivative of W positive
+semidefinite, also transversely. It has no inverse where a cable has no tension: the tangent of Newton's method is that
+of a cable with a small stiffness more (`supported`), which acts on the way to an equilibrium and not in it.
 """
 
 from typing import Any
@@ -18,32 +17,18 @@ import ufl
 
 from .curve import Part, arc_derivative, gauss
 
-SLACK = 1e-4  # strain about zero over which the tension fades out
+# Stiffness of all cables in the tangent alone, over EA. It is large enough for a linear solve, whose condition is then
+# 1e9 at most and leaves seven digits of a step, and small enough not to be felt: at a tension of 1e-6 EA a step is
+# wrong by a thousandth.
+SUPPORT = 1e-9
 
 
-def _stretch(position: Any, tangent: Any) -> Any:
+def _slope_and_force(
+    position: Any, tangent: Any, axial_stiffness: Any, tension: Any
+) -> tuple[Any, Any]:
+    """Slope x', and the force of an elastic bar."""
     slope = arc_derivative(position, tangent)
-    return ufl.sqrt(ufl.dot(slope, slope))
-
-
-def _rest_force(axial_stiffness: Any, tension: Any) -> Any:
-    """Force of the bar at which the tension is `tension`."""
-    slack = SLACK * axial_stiffness
-    fading = 2.0 * ufl.sqrt(slack * tension) - slack
-    return ufl.conditional(ufl.gt(tension, slack), tension, fading)
-
-
-def _bar_force(position: Any, tangent: Any, axial_stiffness: Any, tension: Any) -> Any:
-    stretched = axial_stiffness * (_stretch(position, tangent) - 1.0)
-    return _rest_force(axial_stiffness, tension) + stretched
-
-
-def _work(force: Any, axial_stiffness: Any) -> Any:
-    """Energy at which the bar's force is `force`."""
-    slack = SLACK * axial_stiffness
-    fading = ufl.max_value(force + slack, 0.0) ** 3 / (12.0 * slack)
-    taut = 0.5 * force**2 + slack**2 / 6.0
-    return ufl.conditional(ufl.gt(force, slack), taut, fading) / axial_stiffness
+    return slope, tension + axial_stiffness * (ufl.sqrt(ufl.dot(slope, slope)) - 1.0)
 
 
 def energy(
@@ -58,14 +43,26 @@ def energy(
         tension: T0, tension in the reference configuration, N, not negative.
         degree: Degree of the line elements, 1 or 2.
     """
-    force = _bar_force(position, tangent, axial_stiffness, tension)
-    rest = _work(_rest_force(axial_stiffness, tension), axial_stiffness)
-    density = _work(force, axial_stiffness) - rest
-    return [gauss(density, num_points=degree)]
+    now = axial_force(position, tangent, axial_stiffness, tension)
+    return [gauss((now**2 - tension**2) / (2.0 * axial_stiffness), num_points=degree)]
+
+
+def supported(
+    position: Any, tangent: Any, axial_stiffness: Any, tension: Any, degree: int
+) -> list[Part]:
+    """Energy whose Hessian is the tangent, arguments as in `energy`.
+
+    It is that of `energy` with the stiffness SUPPORT in all directions. A cable counts as taut down to a strain of half
+    of SUPPORT below zero: round-off does not decide about cables that are placed without tension, and the sum of the
+    bar's force and the support stays positive.
+    """
+    slope, force = _slope_and_force(position, tangent, axial_stiffness, tension)
+    taut = ufl.gt(force, -0.5 * SUPPORT * axial_stiffness)
+    bar = ufl.conditional(taut, force**2 / (2.0 * axial_stiffness), 0.0)
+    return [gauss(bar + 0.5 * SUPPORT * axial_stiffness * ufl.dot(slope, slope), num_points=degree)]
 
 
 def axial_force(position: Any, tangent: Any, axial_stiffness: Any, tension: Any) -> Any:
     """Tension of the cable, N, not negative; arguments as in `energy`."""
-    force, slack = _bar_force(position, tangent, axial_stiffness, tension), SLACK * axial_stiffness
-    fading = ufl.max_value(force + slack, 0.0) ** 2 / (4.0 * slack)
-    return ufl.conditional(ufl.gt(force, slack), force, fading)
+    _, force = _slope_and_force(position, tangent, axial_stiffness, tension)
+    return ufl.max_value(force, 0.0)

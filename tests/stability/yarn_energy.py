@@ -10,7 +10,6 @@ import numpy.typing as npt
 from braidx.scene import Scene
 
 Floats = npt.NDArray[np.float64]
-SLACK = 1e-4  # strain about zero over which the tension of a cable fades out
 TILT = 0.1  # share of the shear of a beam that is taken at its nodes
 
 
@@ -51,28 +50,17 @@ class Yarns:
 
     def tensions(self, now: Floats) -> Floats:
         """Tension of cables, shape (num_yarns, num_nodes - 1), N."""
-        force, slack = self._bar_force(now)
-        fading = np.maximum(force + slack, 0.0) ** 2 / (4.0 * slack)
-        return np.where(force > slack, force, fading)
+        stretch = np.linalg.norm(np.diff(now[..., :3], axis=1), axis=2) / self._lengths
+        force = self.tension + self.scene.yarn.axial_stiffness * (stretch - 1.0)
+        return np.asarray(np.maximum(force, 0.0))
 
     @property
     def _lengths(self) -> Floats:
         return np.asarray(np.linalg.norm(np.diff(self.rest[..., :3], axis=1), axis=2))
 
-    def _bar_force(self, now: Floats) -> tuple[Floats, float]:
-        stiffness = self.scene.yarn.axial_stiffness
-        slack = SLACK * stiffness
-        rest = np.where(
-            self.tension > slack, self.tension, 2.0 * np.sqrt(slack * self.tension) - slack
-        )
-        stretch = np.linalg.norm(np.diff(now[..., :3], axis=1), axis=2) / self._lengths
-        return rest + stiffness * (stretch - 1.0), slack
-
     def _energy_of_cables(self, now: Floats) -> float:
-        force, slack = self._bar_force(now)
-        fading = np.maximum(force + slack, 0.0) ** 3 / (12.0 * slack)
-        density = np.where(force > slack, 0.5 * force**2 + slack**2 / 6.0, fading)
-        return float((density * self._lengths).sum()) / self.scene.yarn.axial_stiffness
+        work = (self.tensions(now) ** 2 * self._lengths).sum()
+        return 0.5 * float(work) / self.scene.yarn.axial_stiffness
 
     def _energy_of_beams(self, now: Floats) -> float:
         density = self._axial_and_turning(now) + self._of_sections(now)

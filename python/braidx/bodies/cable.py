@@ -46,7 +46,11 @@ class CableBody(CurveBody):
             self._axial_stiffness.function,
             self._tension.function,
         )
-        self._set_energy(cable.energy(*arguments, degree), cable.axial_force(*arguments))
+        self._set_energy(
+            cable.energy(*arguments, degree),
+            cable.axial_force(*arguments),
+            cable.supported(*arguments, degree),
+        )
 
     def set_properties(
         self,

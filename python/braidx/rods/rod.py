@@ -20,8 +20,8 @@ Floats = npt.NDArray[np.float64]
 class Cable:
     """A rod that resists nothing but stretching.
 
-    Across its line it is stiff by its tension alone: without any, straight, and free to move sideways it has no
-    stiffness there, and Newton mostly finds no equilibrium. Give it a tension, or hold it across until it has one.
+    Across its line it is stiff by its tension alone. Placed without any it can be pulled taut, or loaded across, which
+    makes it sag. Where it is slack it carries no force, and where nothing touches or holds it, it has no shape.
 
     Attributes:
         line: Nodes at rest, shape (num_nodes, 3), mm.

@@ -1,10 +1,10 @@
 """Two parallel cables tied to a rigid body: bifilar suspension, and a force beside the centroid.
 
 Cables of stiffness EA and length L at x = +-a, their first ends held. Turned by t about z, at a distance l0 between
-their end sections, each has the length l = sqrt(l0^2 + 2 a^2 (1 - cos t)) and the tension T = EA (l / L - 1 - s), s
-being the strain in which a cable becomes taut; the moment about z is 2 T a^2 sin(t) / l, the force along z 2 T l0 /
-l. A force F along z at x = e is the force and a moment -e F about y on the centroid: tensions are F (1 +- e / a) / 2,
-and the body tilts by the difference of elongations over 2 a.
+their end sections, each has the length l = sqrt(l0^2 + 2 a^2 (1 - cos t)) and the tension T = EA (l / L - 1); the
+moment about z is 2 T a^2 sin(t) / l, the force along z 2 T l0 / l. A force F along z at x = e is the force and a moment
+-e F about y on the centroid: tensions are F (1 +- e / a) / 2, and the body tilts by the difference of elongations over
+2 a.
 """
 
 import numpy as np
@@ -12,7 +12,6 @@ import pytest
 from mpi4py import MPI
 from scipy.optimize import brentq
 
-from braidx.forms.cable import SLACK
 from braidx.geometry import angles_of, best_fit
 from braidx.processes.pull import hold, pull
 from braidx.processes.start import make_model, start_state
@@ -57,7 +56,7 @@ def bifilar(turn):
     """Moment (N mm) and force (N)."""
     distance = LENGTH * (1 + STRAIN)
     length = np.sqrt(distance**2 + 2 * ARM**2 * (1 - np.cos(turn)))
-    tension = STIFFNESS * (length / LENGTH - 1 - SLACK)
+    tension = STIFFNESS * (length / LENGTH - 1)
     return 2 * tension * ARM**2 * np.sin(turn) / length, 2 * tension * distance / length
 
 
@@ -97,7 +96,7 @@ def test_force_beside_the_centroid():
     assert tension == pytest.approx(
         force / 2 * np.array([1 + beside / arm, 1 - beside / arm]), rel=5e-4
     )
-    elongation = (tension / STIFFNESS + SLACK) * LENGTH
+    elongation = tension / STIFFNESS * LENGTH
     assert np.sin(angles[1]) == pytest.approx(
         -(elongation[0] - elongation[1]) / (2 * ARM), rel=1e-3
     )
