@@ -208,6 +208,8 @@ def _run(scene: Scene, out: Path | None, resume: bool, strict: bool) -> None:
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         summary = processes.run(scene, folder, resume=resume)
+    except MemoryError as error:
+        raise stop(f"no memory left: {error} (state so far: {folder})", NOT_CONVERGED) from None
     except KeyboardInterrupt:
         again = "the same command with --resume goes on from the last increment"
         raise stop(f"interrupted: {again} (state so far: {folder})", INTERRUPTED) from None

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from petsc4py import PETSc
 
 from ..contact.contact import Contact
+from ..solver.mumps import solve_once
 from ..solver.trial import Diverged
 from ..system.global_system import GlobalSystem
 from ..system.terms import Floats
@@ -49,15 +49,8 @@ def follow_supports(
         system.scatter(system.constraints.reduce(system.tangent_times(asked)), right)
     finally:
         contact.laws.friction = friction
-    solver = PETSc.KSP().create(system.comm)
-    solver.setOperators(system.matrix)
-    solver.setType("preonly")
-    solver.getPC().setType("lu")
-    solver.getPC().setFactorSolverType("mumps")
-    moved = right.duplicate()
-    solver.solve(right, moved)
+    moved = solve_once(system.matrix, right)
     follows = system.constraints.transform @ system.gather(moved)
-    solver.destroy()
     if not np.abs(follows[~layout.is_director]).max() <= FARTHEST * _reach(layout, asked):
         return None
     return np.asarray(first + asked - follows)

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from petsc4py import PETSc
 
+from .mumps import grow_workspace
+
 OFTEN = 20  # iterations of GMRES after which new factors are due
 MOST = 25  # iterations after which they are made at once: about what new factors cost
 REDUCTION = 1e-3  # of the residual of the linear system: contacts change more in an iteration of Newton's method
@@ -53,6 +55,11 @@ class LaggedFactors:
             self._untried = self._failures = 2 * self._failures + 1
         self._stale = True
         self._solve(ksp, right, solution)
+        while grow_workspace(ksp.getPC()):
+            self._discard()
+            ksp = self._solver(matrix)
+            ksp.setOperators(matrix)
+            self._solve(ksp, right, solution)
         failed = ksp.getPC().getFailedReason()
         pc.setFailedReason(failed)
         if failed:

@@ -11,6 +11,7 @@ from petsc4py import PETSc
 from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
 from .lagged import LaggedFactors
+from .mumps import grow_workspace
 from .petsc_options import PREFIX, set_options
 from .reasons import INDEFINITE, UNSOLVED, broken_off, ended
 from .step_limit import StepLimit
@@ -224,15 +225,15 @@ class Newton:
             reason = broken_off(error)
         elif reason == UNSOLVED:
             # MUMPS does not factorise again what it failed to, whatever the matrix is by then.
+            grown, searching = grow_workspace(snes.getKSP().getPC()), snes is self._searching
             self.renew(self.indefinite)
+            if grown:
+                again = self._searching if searching else self._full
+                return self._run(again, before + iterations, most_in_vain)
         if self._lags and self._lagged is not None:
             solves = self._lagged.solves - begun
         return NewtonResult(
-            converged,
-            before + iterations,
-            before + solves,
-            self._relative(),
-            reason,
+            converged, before + iterations, before + solves, self._relative(), reason
         )
 
     def _leave_locked_vectors(self) -> None:
