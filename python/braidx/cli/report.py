@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 import numpy as np
+from rich.markup import escape
 from rich.table import Table
 
 from braidx.cli.bending_report import BLOCK, bending_rows, own_unknowns
@@ -43,9 +44,9 @@ def scene_table(scene: Scene, rope: Rope) -> Table:
         "steps": ", ".join(step.kind for step in scene.steps) or "none",
         "expected": ", ".join(scene.expected) or "none",
     }
-    table = Table(title=scene.name, show_header=False, title_justify="left")
+    table = Table(title=escape(scene.name), show_header=False, title_justify="left")
     for name, text in rows.items():
-        table.add_row(name, text)
+        table.add_row(name, escape(text))
     return table
 
 
@@ -98,7 +99,7 @@ def _braid_rows(scene: Scene, rope: Rope) -> dict[str, str]:
 def results_table(summary: dict[str, Any]) -> Table:
     """The results of a run beside what was expected."""
     state = "converged" if summary["converged"] else "not converged"
-    table = Table(title=f"{summary['scene']}: {state}", title_justify="left")
+    table = Table(title=escape(f"{summary['scene']}: {state}"), title_justify="left")
     for heading in ("result", "value", "unit", "reference", "met", "source"):
         table.add_column(
             heading,
@@ -112,7 +113,7 @@ def results_table(summary: dict[str, Any]) -> Table:
             percent = f"{100.0 * result['tolerance']:g} %"
             reference += f" ± {percent if result['reference'] else _number(result['tolerance'])}"
         numbers = (_number(result["value"]), result["unit"], reference)
-        table.add_row(name, *numbers, met, result["source"] or "")
+        table.add_row(escape(name), *numbers, met, escape(result["source"] or ""))
     return table
 
 

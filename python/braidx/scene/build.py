@@ -9,7 +9,7 @@ from braidx.scene.accuracy import completed
 from braidx.scene.core import Core
 from braidx.scene.ends import EndConditions, EndGroup
 from braidx.scene.errors import SceneError, nearest
-from braidx.scene.fields import Table, in_unit, spec_of
+from braidx.scene.fields import Spec, Table, convert, in_unit, spec_of
 from braidx.scene.heat import Heat
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
@@ -44,6 +44,7 @@ TABLES: dict[str, type[Table]] = {
 }
 NAMED: dict[str, type[Table]] = {"material": Material, "expected": Expected}
 REQUIRED = ("rope", "yarn")
+KIND = Spec(doc="Which step it is.", choices=tuple(STEPS))
 
 
 def scene_from_dict(data: dict[str, Any], name: str = "") -> Scene:
@@ -61,12 +62,13 @@ def scene_from_dict(data: dict[str, Any], name: str = "") -> Scene:
 
 def _as_stated(data: dict[str, Any], name: str) -> Scene:
     """The scene of these tables and the defaults."""
+    data = _entries(data, "scene")
     _check_keys(data, {*TABLES, *NAMED, "steps"}, "")
     tables = {key: _entries(value, key) for key, value in data.items() if key in TABLES}
     for required in REQUIRED:
         if required not in tables:
             raise SceneError(required, f"table missing, add [{required}].")
-    if not tables["rope"].get("name"):
+    if tables["rope"].get("name", "") == "":
         tables["rope"]["name"] = name
     named = {
         group: {
@@ -108,9 +110,7 @@ def _steps(data: Any) -> tuple[Step, ...]:
         kind = entries.pop("kind", None)
         if kind is None:
             raise SceneError(f"{where}.kind", f"missing, choose {' or '.join(STEPS)}.")
-        if kind not in STEPS:
-            cure = nearest(str(kind), STEPS)
-            raise SceneError(f"{where}.kind", f"choose {' or '.join(STEPS)}; {cure}", kind)
+        kind = convert(kind, str, KIND, f"{where}.kind")
         steps.append(table_from_dict(STEPS[kind], entries, where))
     return tuple(steps)
 
@@ -128,8 +128,8 @@ def _groups(data: Any) -> tuple[EndGroup, ...]:
 def _take_material(yarn: dict[str, Any], materials: dict[str, Any]) -> None:
     """Fill a yarn's values from the material it names; its own values win."""
     name = yarn.get("material", "")
-    if not name:
-        return
+    if not isinstance(name, str) or not name:
+        return  # the yarn's own check refuses what is no text
     if name not in materials:
         cure = nearest(str(name), materials)
         raise SceneError("yarn.material", f"no table [material.{name}]; {cure}", name)

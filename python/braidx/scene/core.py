@@ -32,7 +32,10 @@ class Core(Table):
     poisson: float = option(0.3, above=-1.0, below=0.5, doc="Poisson ratio.")
     degree: int = option(1, choices=(1, 2), doc="Degree of its finite elements.")
     seeds: int = option(
-        12, minimum=4, doc="Edges of elements round it; an o-grid wants a multiple of 4."
+        12,
+        minimum=4,
+        maximum=400,
+        doc="Edges of elements round it; an o-grid wants a multiple of 4.",
     )
     section: str = option(
         "o-grid",

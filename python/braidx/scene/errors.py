@@ -5,6 +5,7 @@ from __future__ import annotations
 from difflib import get_close_matches
 from collections.abc import Iterable
 
+LONG = 128  # bits, 39 digits: longer numbers are refused by all options, and Python writes out no very long ones
 NO_VALUE = ...  # keeps its identity when an error is sent to another process
 
 
@@ -39,21 +40,24 @@ class SceneError(ValueError):
 def nearest(name: str, known: Iterable[str]) -> str:
     """Cure for an unknown name: the nearest known one, else all of them."""
     names = sorted(known)
-    close = get_close_matches(name, names, n=1, cutoff=0.5)
+    close = get_close_matches(str(name), names, n=1, cutoff=0.5)
     return f"did you mean '{close[0]}'?" if close else f"known: {', '.join(names) or 'none'}."
 
 
-def toml_text(value: object) -> str:
-    """A value as it is written in TOML, shortened where it is long."""
+def toml_text(value: object, depth: int = 4) -> str:
+    """A value as it is written in TOML, shortened where it is long or nested deeper than a scene's tables are."""
     if isinstance(value, bool):
         text = "true" if value else "false"
     elif isinstance(value, (list, tuple)):
-        text = "[" + ", ".join(toml_text(entry) for entry in value) + "]"
+        entries = [toml_text(entry, depth - 1) for entry in value] if depth else ["..."]
+        text = f"[{', '.join(entries)}]"
     elif isinstance(value, dict):
-        text = "{ " + ", ".join(f"{key} = {toml_text(each)}" for key, each in value.items()) + " }"
-        text = text if value else "{}"
+        pairs = [f"{key} = {toml_text(each, depth - 1)}" for key, each in value.items() if depth]
+        text = f"{{ {', '.join(pairs) or '...'} }}" if value else "{}"
     elif isinstance(value, str):
         text = f'"{value}"'
+    elif isinstance(value, int) and value.bit_length() > LONG:
+        text = f"a whole number of {value.bit_length()} bits"
     else:
         text = f"{value!r}"
     return text if len(text) <= 60 else text[:57] + "..."

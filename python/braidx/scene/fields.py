@@ -8,13 +8,19 @@ Python.
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
+import numbers
 import re
 import types
 from dataclasses import dataclass
 from typing import Any, ClassVar, Union, get_args, get_origin, get_type_hints
 
 from braidx.scene.errors import SceneError, nearest
+
+# Of numbers, whatever their unit: fourth powers, and quotients of these, stay within floats, which end at 1e308.
+LARGEST, SMALLEST = 1e30, 1e-30
+UNWRITABLE = re.compile("[\x00-\x08\x0b-\x1f\x7f\ud800-\udfff]")  # no text file has such characters
 
 
 @dataclass(frozen=True)
@@ -66,7 +72,8 @@ class Table:
             object.__setattr__(self, field.name, value)
 
 
-def type_hints(cls: type) -> dict[str, Any]:
+@functools.cache
+def type_hints(cls: Any) -> dict[str, Any]:
     """Resolved types of the fields of a dataclass."""
     return get_type_hints(cls)
 
@@ -101,7 +108,8 @@ def convert(value: Any, hint: Any, spec: Spec, key: str) -> Any:
     Raises:
         SceneError: If type or range is wrong.
     """
-    for member in members(hint):
+    # A value that is of one of several types is of that one: 80 stays whole where numbers may be either.
+    for member in sorted(members(hint), key=lambda member: type(value) is not member):
         if member is type(None) and value is None:
             return None
         if _fits(value, member):
@@ -111,17 +119,17 @@ def convert(value: Any, hint: Any, spec: Spec, key: str) -> Any:
 
 
 def _fits(value: Any, hint: Any) -> bool:
-    if hint is float:
-        return isinstance(value, (int, float)) and not isinstance(value, bool)
-    if hint is int:
-        return isinstance(value, int) and not isinstance(value, bool)
+    if hint in (float, int):
+        kind = numbers.Real if hint is float else numbers.Integral
+        return isinstance(value, kind) and not isinstance(value, bool)
     if get_origin(hint) is tuple:
         entry = get_args(hint)[0]
         return isinstance(value, (list, tuple)) and all(_fits(each, entry) for each in value)
     if get_origin(hint) is dict:
         kinds = members(get_args(hint)[1])
         return isinstance(value, dict) and all(
-            any(_fits(each, kind) for kind in kinds) for each in value.values()
+            isinstance(name, str) and any(_fits(each, kind) for kind in kinds)
+            for name, each in value.items()
         )
     return isinstance(value, hint)
 
@@ -132,11 +140,10 @@ def _checked(value: Any, hint: Any, spec: Spec, key: str) -> Any:
             raise SceneError(key, f"too short, give at least {spec.shortest} entries.", value)
         entry = get_args(hint)[0]
         return tuple(_checked(each, entry, spec, f"{key}[{i}]") for i, each in enumerate(value))
-    if spec.keys:
+    if get_origin(hint) is dict:
         return _checked_entries(value, hint, spec, key)
-    if hint is float:
-        value = float(value)
-    if isinstance(value, (int, float)) and not isinstance(value, bool):
+    if hint in (float, int):
+        value = _number(value, hint, key)
         _check_range(value, spec, key)
     if isinstance(value, str):
         _check_text(value, spec, key)
@@ -145,11 +152,26 @@ def _checked(value: Any, hint: Any, spec: Spec, key: str) -> Any:
 
 def _checked_entries(value: dict[str, Any], hint: Any, spec: Spec, key: str) -> dict[str, Any]:
     for name in value:
-        if name not in spec.keys:
+        _check_writable(name, key)
+        if spec.keys and name not in spec.keys:
             raise SceneError(f"{key}.{name}", f"unknown key; {nearest(name, spec.keys)}")
     single = dataclasses.replace(spec, keys=())
     kinds = get_args(hint)[1]
     return {name: convert(each, kinds, single, f"{key}.{name}") for name, each in value.items()}
+
+
+def _number(value: Any, hint: type, key: str) -> Any:
+    """A number as float or int, of a size that can be computed with."""
+    if abs(value) > LARGEST and not (isinstance(value, float) and math.isinf(value)):
+        raise SceneError(key, f"too large, no number may be beyond {LARGEST:g}.", value)
+    if 0 < abs(value) < SMALLEST:
+        raise SceneError(key, f"too small, write 0 or at least {SMALLEST:g}.", value)
+    return hint(value)
+
+
+def _check_writable(text: str, key: str) -> None:
+    if UNWRITABLE.search(text):
+        raise SceneError(key, "has a character that is no text; leave it out.", text)
 
 
 def _check_range(value: float, spec: Spec, key: str) -> None:
@@ -167,6 +189,7 @@ def _check_range(value: float, spec: Spec, key: str) -> None:
 
 
 def _check_text(value: str, spec: Spec, key: str) -> None:
+    _check_writable(value, key)
     texts = [choice for choice in spec.choices if isinstance(choice, str)]
     if texts and value not in texts and not spec.pattern:
         cure = nearest(value, texts)

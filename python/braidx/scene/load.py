@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import tomllib
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -10,6 +11,9 @@ from typing import Any
 from braidx.scene.build import scene_from_dict
 from braidx.scene.errors import SceneError
 from braidx.scene.scene import Scene
+
+# tomllib also raises what Python does for whole numbers that are too long, and for lists nested too deep.
+TOML_ERRORS = (ValueError, RecursionError)
 
 
 def load_scene(path: str | Path, overrides: Iterable[str] = ()) -> Scene:
@@ -37,18 +41,20 @@ def _place_mesh(data: dict[str, Any], folder: Path) -> None:
     """Make the path of a mesh one that holds in any folder."""
     core = data.get("core")
     if isinstance(core, dict) and isinstance(core.get("mesh"), str) and core["mesh"]:
-        core["mesh"] = str((folder / core["mesh"]).resolve())
+        core["mesh"] = os.path.abspath(folder / core["mesh"])
 
 
 def _read(path: Path) -> dict[str, Any]:
     try:
-        return tomllib.loads(path.read_text("utf-8"))
+        text = path.read_text("utf-8")
     except FileNotFoundError:
         raise SceneError("", "no such file; give the path of a scene (*.toml).") from None
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else "not a text file"
         raise SceneError("", f"cannot be read ({reason}); give a scene (*.toml).") from None
-    except tomllib.TOMLDecodeError as error:
+    try:
+        return tomllib.loads(text)
+    except TOML_ERRORS as error:
         raise SceneError("", f"not valid TOML: {error}") from None
 
 
@@ -66,7 +72,7 @@ def apply_override(data: dict[str, Any], override: str) -> None:
 def _parse(text: str) -> Any:
     try:
         values = tomllib.loads(f"value = {text}")
-    except tomllib.TOMLDecodeError:
+    except TOML_ERRORS:
         return text
     return values["value"] if len(values) == 1 else text
 

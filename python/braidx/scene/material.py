@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -111,7 +112,10 @@ class YarnModel(Table):
     )
     material: str = option("", doc="Name of a [material.NAME] table whose values are taken over.")
     seeds: int = option(
-        12, minimum=4, doc="Edges of elements round a solid yarn, a multiple of 4 (12 in paper 2)."
+        12,
+        minimum=4,
+        maximum=400,
+        doc="Edges of elements round a solid yarn, a multiple of 4 (12 in paper 2).",
     )
     solid_degree: int = option(1, choices=(1, 2), doc="Degree of the elements of a solid yarn.")
     solid_elements_per_pitch: int | None = option(
@@ -152,7 +156,7 @@ class YarnModel(Table):
             near = max(4, 4 * round(self.seeds / 4))
             raise SceneError("yarn.seeds", f"not a multiple of 4, use {near}.", self.seeds)
         for number, model in self.models.items():
-            if not (number.isascii() and number.isdecimal() and number == str(int(number))):
+            if not re.fullmatch("0|[1-9][0-9]{0,8}", number):
                 cure = 'not the number of a yarn; write whole numbers from 0, such as 3 = "beam".'
                 raise SceneError(f"yarn.models.{number}", cure, model)
             if model not in MODELS:

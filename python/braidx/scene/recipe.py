@@ -31,7 +31,12 @@ class RopeRecipe(Table):
         choices=("braid", "strand"),
         doc="A braid of strands, or one straight strand of twisted (or parallel) yarns.",
     )
-    name: str = option("", doc="Name of the scene; empty: the name of its file.")
+    name: str = option(
+        "",
+        pattern=r"(?!\.{1,2}$)[^/\n\t]{0,200}",
+        example='text of at most 200 characters, without "/"',
+        doc="Name of the scene, and of the folder of its results; empty: the name of its file.",
+    )
 
 
 @dataclass(frozen=True)
@@ -52,7 +57,7 @@ class BraidRecipe(Table):
     motif: str | Motif = option(
         "2-over-2-under",
         choices=(-1, 1),
-        pattern=r"[1-9]\d*-over-[1-9]\d*-under",
+        pattern=r"[1-9][0-9]?-over-[1-9][0-9]?-under",
         example='"2-over-2-under" or a matrix of 1 and -1',
         shortest=1,
         doc="Stacking order: row i, column j is 1 where strand i of layer 0 passes outside strand "
@@ -116,7 +121,7 @@ class StrandRecipe(Table):
         unit="mm",
         above=0.0,
         choices=("untwisted",),
-        pattern=r"pitch/[1-9]\d*",
+        pattern=r"pitch/[1-9][0-9]{0,5}",
         example='a number, "pitch/4" (a fraction of rope.pitch) or "untwisted"',
         doc="Length along the axis in which a yarn turns once around its strand; it divides "
         "rope.pitch.",

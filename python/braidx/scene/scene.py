@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 
 from braidx.scene.core import Core
 from braidx.scene.defaults import with_depth, with_mesh
 from braidx.scene.ends import EndConditions
 from braidx.scene.errors import SceneError
+from braidx.scene.fields import Spec, convert, type_hints
 from braidx.scene.heat import Heat
 from braidx.scene.material import Material, YarnModel
 from braidx.scene.numerics import (
@@ -20,7 +21,10 @@ from braidx.scene.pitch import resolved_pitch
 from braidx.scene.recipe import BraidRecipe, RopeRecipe, StrandRecipe
 from braidx.scene.rules import check_bending
 from braidx.scene.sheave import Sheave
+from braidx.scene.size import check_size
 from braidx.scene.step import Step
+
+TABLE = Spec(doc="")  # what it takes is in its type
 
 
 @dataclass(frozen=True)
@@ -48,11 +52,17 @@ class Scene:
     expected: dict[str, Expected] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        for each in fields(self):
+            table = convert(
+                getattr(self, each.name), type_hints(Scene)[each.name], TABLE, each.name
+            )
+            object.__setattr__(self, each.name, table)
         pitch = resolved_pitch(self.rope, self.braid)
         self._check_type()
         object.__setattr__(self, "rope", replace(self.rope, pitch=pitch))
         object.__setattr__(self, "yarn", with_mesh(self))
         object.__setattr__(self, "contact", with_depth(self))
+        check_size(self)
         check_bending(self)
 
     def _check_type(self) -> None:

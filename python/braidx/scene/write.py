@@ -60,16 +60,18 @@ def _block(header: str, entries: dict[str, Any]) -> str:
 
 
 def _key(key: str) -> str:
-    return (
-        key
-        if key.replace("_", "a").replace("-", "a").isalnum() and key.isascii()
-        else json.dumps(key)
-    )
+    bare = key.replace("_", "a").replace("-", "a").isalnum() and key.isascii()
+    return key if bare else _text(key)
+
+
+def _text(value: str) -> str:
+    # JSON writes characters beyond 65,535 as pairs that TOML does not have.
+    return json.dumps(value, ensure_ascii=False)
 
 
 def _value(value: Any) -> str:
     if isinstance(value, str):
-        return json.dumps(value)
+        return _text(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (list, tuple)):
