@@ -289,10 +289,8 @@ NB_MODULE(braidx_engine, m) {
     m.def("crossing_heights", &heights, "tubes"_a, "crossings"_a, "q"_a);
     m.def(
         "close_pairs",
-        [](const std::vector<Tube>& tubes, const In<double>& q, const SearchOptions& options,
-           bool brute_force) {
-            return pair_arrays(brute_force ? close_pairs_brute_force(tubes, view(q), options)
-                                           : close_pairs(tubes, view(q), options));
+        [](const std::vector<Tube>& tubes, const In<double>& q, const SearchOptions& options) {
+            return pair_arrays(close_pairs(tubes, view(q), options));
         },
-        "tubes"_a, "q"_a, "options"_a, "brute_force"_a);
+        "tubes"_a, "q"_a, "options"_a);
 }

@@ -1,7 +1,6 @@
 #include "current_skin.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace braidx {
 namespace {
@@ -13,18 +12,21 @@ constexpr double bulge = 0.34;
 } // namespace
 
 CurrentSkin::CurrentSkin(const Skin& skin, Unknowns q, double reach)
-    : skin_(&skin), q_(q), reach_(reach), nodal_(nodal_normals(skin, q)),
-      box_{Vec3::Constant(std::numeric_limits<double>::infinity()),
-           Vec3::Constant(-std::numeric_limits<double>::infinity())} {
-    double size = 0;
-    for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet) {
+    : skin_(&skin), q_(q), reach_(reach),
+      nodal_(nodal_normals(skin, q)), box_{Vec3::Constant(std::numeric_limits<double>::infinity()),
+                                           Vec3::Constant(
+                                               -std::numeric_limits<double>::infinity())},
+      tree_(make_boxes()) {}
+
+std::vector<Box> CurrentSkin::make_boxes() {
+    std::vector<Box> in_reach;
+    for (std::int32_t facet = 0; facet < skin_->num_facets(); ++facet) {
         boxes_.push_back(box_of(facet));
-        box_.low = box_.low.cwiseMin(boxes_.back().low);
-        box_.high = box_.high.cwiseMax(boxes_.back().high);
-        size = std::max(size, (boxes_.back().high - boxes_.back().low).maxCoeff());
+        box_ = box_.joined(boxes_.back());
+        in_reach.push_back(boxes_.back().inflated(reach_));
+        size_ = std::max(size_, (in_reach.back().high - in_reach.back().low).maxCoeff());
     }
-    size_ = std::max(size + 2 * reach, std::numeric_limits<double>::min());
-    fill_cells();
+    return in_reach;
 }
 
 CurrentSkin::Point CurrentSkin::point(std::int64_t number) const {
@@ -34,36 +36,17 @@ CurrentSkin::Point CurrentSkin::point(std::int64_t number) const {
             smooth_normal(*skin_, nodal_, at.facet, weights), rise(*skin_, at.facet, weights)};
 }
 
-CurrentSkin::Cell CurrentSkin::cell_of(const Vec3& x) const {
-    const auto index = [this](double v) {
-        return static_cast<std::int64_t>(std::floor(v / size_));
-    };
-    return {index(x[0]), index(x[1]), index(x[2])};
-}
-
 Box CurrentSkin::box_of(std::int32_t facet) const {
-    Vec3 low = vector_at(q_, skin_->unknown_of(facet, 0)), high = low;
+    const Vec3 first = vector_at(q_, skin_->unknown_of(facet, 0));
+    Box box{first, first};
     for (int node = 1; node < skin_->nodes_per_facet(); ++node) {
         const Vec3 x = vector_at(q_, skin_->unknown_of(facet, node));
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
+        box = box.joined({x, x});
     }
     if (facet_degree(skin_->kind) == 1)
-        return {low, high};
-    const Vec3 more = bulge * (high - low);
-    return {low - more, high + more};
-}
-
-void CurrentSkin::fill_cells() {
-    const Vec3 inflation = Vec3::Constant(reach_);
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-        const Cell low = cell_of(boxes_[i].low - inflation),
-                   high = cell_of(boxes_[i].high + inflation);
-        for (auto x = low.x; x <= high.x; ++x)
-            for (auto y = low.y; y <= high.y; ++y)
-                for (auto z = low.z; z <= high.z; ++z)
-                    cells_[{x, y, z}].push_back(static_cast<std::int32_t>(i));
-    }
+        return box;
+    const Vec3 more = bulge * (box.high - box.low);
+    return {box.low - more, box.high + more};
 }
 
 SkinPlace CurrentSkin::place(std::int32_t facet, const Vec3& x) const {

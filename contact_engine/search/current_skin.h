@@ -1,10 +1,12 @@
 #pragma once
 
 #include "../surfaces/facet_projection.h"
+#include "box_tree.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
-#include <unordered_map>
 
 namespace braidx {
 
@@ -16,14 +18,6 @@ struct SkinPlace {
     Vec3 offset;                                         ///< x - position
     double rise;                                         ///< of the surface above the facet, mm
     double height() const { return offset.dot(normal); } ///< above the facet; negative: inside
-};
-
-/// Box with sides along the axes.
-struct Box {
-    Vec3 low, high;
-    double distance_to(const Vec3& x) const {
-        return (low - x).cwiseMax(x - high).cwiseMax(0.0).norm();
-    }
 };
 
 /// A skin as it is now: normals, boxes of its facets, contact points. Finds its places within
@@ -47,33 +41,24 @@ public:
     /// at an edge, that on the facet which x is most in front of.
     template <class Accept>
     std::optional<SkinPlace> closest(const Vec3& x, const Accept& accept) const {
-        const auto cell = cells_.find(cell_of(x));
-        return cell == cells_.end() ? std::nullopt : closest_among(cell->second, x, accept);
+        std::vector<std::int32_t> near;
+        tree_.for_each_meeting({x, x}, [&](std::int32_t facet) { near.push_back(facet); });
+        std::ranges::sort(near); // among equally near places the first one counts
+        return closest_among(near, x, accept);
     }
 
     /// The same by testing every facet: the oracle of the tests.
     template <class Accept>
     std::optional<SkinPlace> closest_brute_force(const Vec3& x, const Accept& accept) const {
-        std::vector<std::int32_t> all;
-        for (std::int32_t facet = 0; facet < skin_->num_facets(); ++facet)
-            all.push_back(facet);
+        std::vector<std::int32_t> all(static_cast<std::size_t>(skin_->num_facets()));
+        std::iota(all.begin(), all.end(), 0);
         return closest_among(all, x, accept);
     }
 
 private:
-    struct Cell {
-        std::int64_t x, y, z;
-        bool operator==(const Cell&) const = default;
-    };
-    struct CellHash {
-        std::size_t operator()(const Cell& c) const {
-            return static_cast<std::size_t>(c.x * 73856093 ^ c.y * 19349663 ^ c.z * 83492791);
-        }
-    };
-
-    Cell cell_of(const Vec3& x) const;
     Box box_of(std::int32_t facet) const;
-    void fill_cells();
+    /// Fills box, boxes and size; returns the boxes within reach.
+    std::vector<Box> make_boxes();
     SkinPlace place(std::int32_t facet, const Vec3& x) const;
 
     template <class Accept>
@@ -101,11 +86,11 @@ private:
     const Skin* skin_;
     Unknowns q_;
     double reach_;
-    double size_ = 1; ///< of the cells of the grid, mm
+    double size_ = 0; ///< of the largest box in reach, mm
     std::vector<Vec3> nodal_;
     std::vector<Box> boxes_;
     Box box_;
-    std::unordered_map<Cell, std::vector<std::int32_t>, CellHash> cells_;
+    BoxTree tree_; ///< of the boxes, inflated by the reach
 };
 
 } // namespace braidx

@@ -40,16 +40,12 @@ std::vector<std::size_t> components(Pairs pairs) {
     return parent;
 }
 
-Vec3 chord(const Tube& tube, Unknowns q, std::int32_t element) {
-    return vector_at(q, tube.unknown_of((element + 1) * tube.degree)) -
-           vector_at(q, tube.unknown_of(element * tube.degree));
-}
-
+/// Whether the curves run the same way where they are nearest to each other.
 int orientation(const std::vector<Tube>& tubes, Unknowns q, const ProximityZone& zone) {
     double sum = 0;
     for (const auto& p : zone.pairs)
-        sum += chord(tubes[zone.tube_a], q, p.element_a)
-                   .dot(chord(tubes[zone.tube_b], q, p.element_b));
+        sum += curve_point(tubes[zone.tube_a], q, p.s_a)
+                   .tangent.dot(curve_point(tubes[zone.tube_b], q, p.s_b).tangent);
     return sum >= 0 ? 1 : -1;
 }
 

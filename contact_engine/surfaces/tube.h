@@ -38,10 +38,10 @@ struct Tube {
     double length() const { return num_elements * element_length; }
     std::int32_t num_nodes() const { return num_elements * degree + 1; }
     bool has_directors() const { return block == 9; }
-    /// Finite element that holds s.
+    /// Finite element that holds s; the first one where s is not a number.
     std::int32_t element_of(double s) const {
-        return std::clamp(static_cast<std::int32_t>(std::floor(s)), first_element(),
-                          end_element() - 1);
+        return static_cast<std::int32_t>(
+            std::fmin(std::fmax(std::floor(s), first_element()), end_element() - 1));
     }
     std::int64_t unknown_of(std::int32_t node) const {
         return first_unknown + std::int64_t{node} * block;

@@ -12,7 +12,7 @@ constexpr auto anything = [](const SkinPlace&) { return true; };
 
 } // namespace
 
-TEST_CASE("the grid finds the places that a test of every facet finds", "[current_skin]") {
+TEST_CASE("the tree finds the places that a test of every facet finds", "[current_skin]") {
     Random random(1);
     for (const auto kind : all_facets)
         for (const double reach : {0.05, 0.4, 1.5}) {

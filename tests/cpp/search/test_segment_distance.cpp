@@ -77,3 +77,11 @@ TEST_CASE("distance is symmetric in the two segments", "[segment_distance]") {
         CHECK(std::abs(ab - ba) < (i % 5 == 2 ? 1e-6 : 1e-12)); // 1e-6 rad apart count as parallel
     }
 }
+
+TEST_CASE("segments without length are points", "[segment_distance]") {
+    const Vec3 x(1, 2, 3), left(0, 0, 0), right(4, 0, 0);
+    CHECK(segment_distance(x, x, left, right).distance == std::sqrt(13.0));
+    CHECK(segment_distance(left, right, x, x).distance == std::sqrt(13.0));
+    CHECK(segment_distance(left, right, x, x).t_a == 0.25);
+    CHECK(segment_distance(x, x, left, left).distance == x.norm());
+}

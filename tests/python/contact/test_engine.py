@@ -204,7 +204,7 @@ def segment_samples(curve: Floats) -> Floats:
     radius=st.floats(0.05, 1.0),
     margin=st.floats(0.0, 1.0),
 )
-def test_close_pairs_are_those_of_brute_force(
+def test_close_pairs_miss_none_of_the_sampled_ones(
     seed: int, count: int, num_nodes: int, radius: float, margin: float
 ) -> None:
     rng = np.random.default_rng(seed)
@@ -212,10 +212,7 @@ def test_close_pairs_are_those_of_brute_force(
     tubes, q = make_tubes(curves, radius)
     options = engine.SearchOptions()
     options.margin = margin
-    fast = engine.close_pairs(tubes, q, options, brute_force=False)
-    slow = engine.close_pairs(tubes, q, options, brute_force=True)
-    np.testing.assert_array_equal(fast, slow)
-    found = {tuple(pair) for pair in fast.tolist()}
+    found = {tuple(pair) for pair in engine.close_pairs(tubes, q, options).tolist()}
     samples = [segment_samples(curve) for curve in curves]
     for a in range(count):
         for b in range(a + 1, count):
