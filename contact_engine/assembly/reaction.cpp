@@ -17,6 +17,7 @@ Reaction reaction(const DeformableSurfaces& surfaces, const ContactElement& elem
     const NormalLaw normal_law{element.stiffness * element.weight, laws.regularisation};
     out.normal_force = normal_law.force(gap);
     out.stiffness = normal_law.tangent(gap);
+    out.energy = normal_law.energy(gap);
     if (!out.acts() || mu <= 0)
         return out;
     out.friction.coefficient = mu;

@@ -30,6 +30,7 @@ struct Reaction {
     FrictionLaw friction;
     double stiffness = 0;     ///< -dR_N/dgap, N/mm
     double normal_force = 0;  ///< R_N >= 0, N
+    double energy = 0;        ///< of the penalty, N mm
     Vec3 slip = Vec3::Zero(); ///< trial slip: remembered plus that of the increment, mm, as
                               ///< seen by what turns with the pair
     Vec3 friction_force = Vec3::Zero();

@@ -111,14 +111,14 @@ inline nb::dict contact_results(const OwnedSurfaces& surfaces, const ContactElem
                                 const In<double>& q, const In<double>& q_start,
                                 const ContactLaws& laws, int num_threads) {
     struct Result {
-        double gap, normal_force;
+        double gap, normal_force, energy;
         Vec3 friction_force, position;
     };
     const auto n = elements.size();
     const auto results = parallel_map(n, num_threads, [&](std::size_t i) -> Result {
         const auto& e = elements[i];
         const Reaction r = reaction(surfaces, e, view(q), view(q_start), laws);
-        return {r.system.gap, r.normal_force, r.friction_force,
+        return {r.system.gap, r.normal_force, r.energy, r.friction_force,
                 contact_position(surfaces, e, view(q))};
     });
     const auto scalar = [&](double Result::* member) {
@@ -140,6 +140,7 @@ inline nb::dict contact_results(const OwnedSurfaces& surfaces, const ContactElem
     });
     out["gap"] = scalar(&Result::gap);
     out["normal_force"] = scalar(&Result::normal_force);
+    out["energy"] = scalar(&Result::energy);
     out["friction_force"] = vector(&Result::friction_force);
     out["position"] = vector(&Result::position);
     return out;

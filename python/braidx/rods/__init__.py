@@ -11,6 +11,7 @@ print(rods.positions(0)[-1], rods.reaction(0, 0))
 """
 
 from ..bodies import BeamSection, YarnMaterial
+from .energy_balance import MotionStep
 from .inertia import Scheme
 from .path import NotConverged
 from .rod import Beam, Cable, Rod, Solid
@@ -21,6 +22,7 @@ __all__ = [
     "Beam",
     "BeamSection",
     "Cable",
+    "MotionStep",
     "NotConverged",
     "Rod",
     "Rods",

@@ -144,16 +144,29 @@ class Equilibria:
                 return f"viscosity holds {held:.1e} of the forces"
         return ""
 
-    def start_moving(self, q: Floats) -> None:
-        """Gives inertia the forces on the state q, and the accelerations that go with them."""
+    def start_moving(self, q: Floats, fresh: bool) -> None:
+        """Motion starts at the state q; `fresh`: inertia does not know the forces there yet."""
         assert self._inertia is not None
         self._ask_for(0.0)
-        self._contact.start = self._proximal.start = q
-        self._contact.update(q)
-        forces, free = self.forces(q), self.system.constraints.free
-        acceleration: Floats = np.zeros(q.size)
-        acceleration[free] = -forces[free] / self._inertia.mass[free]
-        self._inertia.forces, self._inertia.acceleration = forces, acceleration
+        if fresh:
+            self._contact.start = self._proximal.start = q
+            self._contact.update(q)
+            self._inertia.forces = self.forces(q)
+
+    @property
+    def tolerance(self) -> float:
+        """Relative residual at which Newton's iteration ends."""
+        return self._newton_options.tolerance
+
+    @property
+    def pairing_tolerance(self) -> float:
+        """Relative residual at which a state is accepted."""
+        return self._options.pairing_tolerance
+
+    def free_part(self, values: Floats) -> Floats:
+        """Changes of all unknowns that follow the free ones where supports stand still, shape (num_unknowns,)."""
+        constraints = self.system.constraints
+        return np.asarray(constraints.transform @ values[constraints.free])
 
     def forces(self, q: Floats) -> Floats:
         """Residual of all terms but inertia, of all processes, in the state q, shape (num_unknowns,), N."""
@@ -172,6 +185,15 @@ class Equilibria:
     def applied(self, q: Floats) -> Floats:
         """Loads and couples as they are at the state accepted last, shape (num_unknowns,), N and N mm."""
         return -self._residual_of(q, [self._dead, self._couples])
+
+    def friction(self, q: Floats) -> Floats:
+        """Forces of friction on the rods at the state accepted last, shape (num_unknowns,), N and N mm."""
+        laws, everything = self._contact.laws, self._residual_of(q, [self._contact])
+        friction = laws.friction
+        laws.friction = [0.0 for _ in friction]
+        normal = self._residual_of(q, [self._contact])
+        laws.friction = friction
+        return normal - everything
 
     def stop(self, q: Floats, share: float) -> None:
         """Supports, loads and slip are those of the state accepted last, at a share of the way."""

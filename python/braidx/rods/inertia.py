@@ -28,8 +28,11 @@ class Scheme:
     gamma: float
 
     @classmethod
-    def generalised_alpha(cls, spectral_radius: float = 0.8) -> Scheme:
+    def generalised_alpha(cls, spectral_radius: float = 0.0) -> Scheme:
         """Second order; of motions too fast for the step a share of `spectral_radius` (0 to 1) is left by each.
+
+        A radius of 0 takes all of them out and balances forces at the end of the step (alpha_f = 0). It then makes no
+        energy in contacts that close within a step, where radii of 0.8 and more multiply it.
 
         Raises:
             ValueError: If the radius is not within 0 and 1.
@@ -47,6 +50,11 @@ class Scheme:
     def backward_euler(cls) -> Scheme:
         """First order; takes energy out of all motions, most out of fast ones. For knots and snap-through."""
         return cls(0.0, 0.0, 1.0, 1.0)
+
+    @property
+    def is_backward_euler(self) -> bool:
+        """Whether velocities alone, and no accelerations, are carried from step to step."""
+        return self.beta == self.gamma == 1.0
 
 
 class InertiaTerm:
@@ -74,6 +82,20 @@ class InertiaTerm:
         self._start: Floats = self._q
         self._step = np.inf
 
+    @property
+    def step(self) -> float:
+        """Length of the step, s."""
+        return self._step
+
+    @property
+    def state(self) -> tuple[Floats, Floats, Floats]:
+        """Velocity, acceleration and forces at the begin of the step."""
+        return self.velocity, self.acceleration, self.forces
+
+    @state.setter
+    def state(self, state: tuple[Floats, Floats, Floats]) -> None:
+        self.velocity, self.acceleration, self.forces = state
+
     def begin(self, q: Floats, step: float) -> None:
         """A step of `step` seconds starts at q."""
         self._start, self._step = q, step
@@ -86,7 +108,7 @@ class InertiaTerm:
         """Velocity and acceleration at the end of the step, if that is at q."""
         s, dt = self.scheme, self._step
         moved: Floats = np.asarray(q - self._start)
-        if s.beta == s.gamma == 1.0:
+        if s.is_backward_euler:
             velocity: Floats = np.asarray(moved / dt)
             return velocity, np.asarray((velocity - self.velocity) / dt)
         acceleration: Floats = np.asarray((moved / dt - self.velocity) / (s.beta * dt))

@@ -65,8 +65,8 @@ def follow(
                     f"; deepest contacts between rods {failure.deepest}" if failure.pairs else ""
                 )
                 raise NotConverged(
-                    f"no equilibrium at {end:.4g} of the way, after {len(found)} increments: {failure}{where}. Try "
-                    "more increments, a viscosity, or `run`, if there is no equilibrium near."
+                    f"no {failure.sought} at {end:.4g} of the way, after {len(found)} increments: {failure}{where}. "
+                    f"Try {failure.cures}."
                 ) from failure
             continue
         rate = (increment.q - q) / (end - share)

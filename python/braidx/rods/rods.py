@@ -15,9 +15,11 @@ from ..system.proximal import ProximalTerm
 from ..system.terms import Floats
 from .contact import make_contact
 from .equilibria import Equilibria
+from .energy_balance import EnergyBalance, MotionStep
 from .inertia import InertiaTerm, Scheme
 from .layout import lay_out
 from .loads import Loads
+from .motion import TimeSteps, make_inertia
 from .path import follow
 from .placed import placed
 from .rod import Rod
@@ -62,6 +64,7 @@ class Rods(RodState):
         penetration: Largest that is accepted, mm, or None.
         time: Of the last one, s.
         friction_work: Dissipated until now, mJ.
+        motion: Steps of `run` since the last `solve`, with their balances of energy.
     """
 
     def __init__(
@@ -98,6 +101,7 @@ class Rods(RodState):
         self.time = self.friction_work = 0.0
         self.penetration = None if penetration is None else penetration * self.contact.min_radius
         self._inertia: InertiaTerm | None = None
+        self.motion: list[MotionStep] = []
         radius = self.contact.min_radius
         touching = (contact and len(rods) > 1) or self_contact is not None or len(rigid) > 0
         size = max(float(np.ptp(rod.line, axis=0).max()) for rod in rods)
@@ -216,7 +220,7 @@ class Rods(RodState):
         Raises:
             NotConverged: If no equilibrium is found; the state is the last one that was, motions and loads stay there.
         """
-        self._inertia = None
+        self._inertia, self.motion = None, []
         self._equilibria.prepare()
         whole = placed(self.layout, self.q, guess) if isinstance(guess, Mapping) else guess
 
@@ -237,45 +241,38 @@ class Rods(RodState):
         scheme: Scheme | None = None,
         velocity: Floats | None = None,
         max_cuts: int = 8,
-        observe: Callable[[float], None] = lambda share: None,
+        observe: Callable[[MotionStep], None] = lambda step: None,
     ) -> list[Increment]:
         """Motion through time, implicitly; motions and loads go on evenly and are complete at its end.
 
+        A step that makes energy is repeated with half of its length, as one that finds no state.
+
         Args:
             duration, step: Seconds.
-            scheme: Of the steps, generalised alpha by default.
+            scheme: Of the steps, generalised alpha with a spectral radius of 0 by default.
             velocity: At the begin, shape (num_unknowns,), mm/s; that of the end of the last run by default, or none.
-            observe: Called after each step with the share of the duration that is done.
+            observe: Called after each step with its balance of energy, as it is added to `motion`.
         Raises:
             ValueError: If a rod has no density.
-            NotConverged: As in `solve`.
+            NotConverged: As in `solve`, or if the shortest steps make energy.
         """
-        for number, rod in enumerate(self.rods):
-            if not rod.density > 0.0:
-                raise ValueError(
-                    f"density of rod {number} is {rod.density} t/mm^3: motion needs a positive one"
-                )
-        last, inertia = self._inertia, InertiaTerm(
-            self.layout.mass, scheme or Scheme.generalised_alpha(), self.comm.rank
-        )
-        if last is not None:
-            inertia.velocity, inertia.acceleration = last.velocity, last.acceleration
-            inertia.forces = last.forces
-        if velocity is not None:
-            inertia.velocity = np.asarray(velocity, dtype=float).ravel()
+        last = self._inertia
+        inertia = make_inertia(self.rods, self.layout.mass, scheme, velocity, last, self.comm.rank)
         self._inertia = inertia
         self._equilibria.prepare(inertia)
-        if last is None:
-            self._equilibria.start_moving(self.q)
+        credit = sum(step.numerical_dissipation for step in self.motion)
+        balance = EnergyBalance(self._equilibria, self.layout, self.contact, credit)
+        steps = TimeSteps(self._equilibria, self.contact, inertia, balance, duration)
+        steps.begin(self.q, fresh=last is None)
 
         def move(begin: float, end: float, before: Floats) -> Increment:
-            inertia.begin(self.q, (end - begin) * duration)
-            increment = self._equilibria.find(self.q, inertia.predicted(), end)
-            inertia.end(increment.q, self._equilibria.forces(increment.q))
-            self.time += (end - begin) * duration
+            increment = steps.step(self.q, begin, end, self.time)
+            self.time = steps.last.time
+            self.motion.append(steps.last)
             return increment
 
-        return self._follow(move, max(1, round(duration / step)), max_cuts, observe)
+        number = max(1, round(duration / step))
+        return self._follow(move, number, max_cuts, lambda share: observe(steps.last))
 
     def _follow(
         self,

@@ -23,7 +23,11 @@ class Diverged(Exception):
     Attributes:
         iterations, linear_solves: What the attempt cost.
         pairs: Surfaces with the deepest penetrations in the last state that was tried, deepest first.
+        sought, cures: What there is none of, and what may help, for messages.
     """
+
+    sought = "equilibrium"
+    cures = "more increments, a viscosity, or `run`, if there is no equilibrium near"
 
     def __init__(self, reason: str, iterations: int, linear_solves: int) -> None:
         super().__init__(reason)

@@ -80,7 +80,7 @@ def test_reactions_in_motion_are_what_changes_the_momentum():
     momenta, pulls = [0.0], []
     mass, z = rods.layout.mass, rods.layout.unknowns(0, slice(None))[:, 2]
 
-    def see(share):
+    def see(step):
         velocity = rods._inertia.velocity
         momenta.append(float(mass[z] @ velocity[z]))
         pulls.append(rods.reaction(0, 0)[0][2])
