@@ -13,7 +13,7 @@ from ..forms.variation import Variation
 from .layout import FloatArray, IntArray
 
 # The generated kernels are small; higher levels double the compile time for a few percent of speed.
-JIT_OPTIONS: dict[str, Any] = {"cffi_extra_compile_args": ["-O2", "-g0"], "timeout": 120}
+JIT_OPTIONS: dict[str, Any] = {"cffi_extra_compile_args": ["-O2", "-g0"], "timeout": 600}
 
 
 def compile_form(form: ufl.Form) -> fem.Form:

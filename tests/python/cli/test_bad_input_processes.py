@@ -1,30 +1,22 @@
 """Bad input to the program as it is started: exit code 2, one line, no traceback, nothing overwritten."""
 
 import os
-import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+import started
 
 from braidx.scene import load_scene, to_toml
 
 SMALL = Path(__file__).parents[3] / "demos" / "small_rope.toml"
 
 
-def start(folder, *words, ranks=1, **variables):
+def start(folder, *words, ranks=0, **variables):
     """Starts the program in a folder; exit code, and its own lines on stderr."""
-    mpirun = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
     path = os.pathsep.join(filter(None, [variables.pop("first", ""), os.environ.get("PYTHONPATH")]))
-    done = subprocess.run(
-        [*mpirun, sys.executable, "-m", "braidx", *words],
-        cwd=folder,
-        env=os.environ | {"PYTHONPATH": path, "OMPI_MCA_btl": "self,sm"},
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
+    program = (sys.executable, "-m", "braidx")
+    done = started.run(*program, *words, ranks=ranks, folder=folder, PYTHONPATH=path)
     assert "Traceback" not in done.stderr
     return done.returncode, [line for line in done.stderr.splitlines() if "braidx:" in line]
 
@@ -56,7 +48,7 @@ def test_a_scene_can_be_checked_without_solver(work, tmp_path):
     assert start(work, "check", str(SMALL), first=str(broken)) == (0, [])
 
 
-@pytest.mark.skipif(shutil.which("mpirun") is None, reason="needs mpirun")
+@started.needs_mpirun
 def test_several_processes_speak_once(work):
     code, (line,) = start(work, "run", str(SMALL), "--set", "yarn.radius=-1", ranks=2)
     assert code == 2 and "yarn.radius = -1.0: out of range" in line

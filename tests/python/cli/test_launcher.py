@@ -10,6 +10,7 @@ from itertools import dropwhile
 from pathlib import Path
 
 import pytest
+import started
 
 CHECKOUT = Path(__file__).parents[3]
 LAUNCHER = CHECKOUT / "braidx"
@@ -99,7 +100,7 @@ def test_a_build_is_of_options_not_of_the_processor(tmp_path: Path) -> None:
     ]
     assert lines[0] == lines[1] != lines[2]
     parts = " ".join(path.read_text("utf-8") for path in PARTS)
-    assert "cpuinfo" not in parts and "NATIVE" not in parts
+    assert "BRAIDX_NATIVE" not in parts
 
 
 def test_a_python_that_is_not_there_is_named(tmp_path: Path) -> None:
@@ -165,36 +166,27 @@ def test_no_folder_hides_the_private_root(tmp_path: Path, folder: str) -> None:
     assert "/proc" in shown and folder not in shown
 
 
-@pytest.mark.skipif(shutil.which("mpirun") is None, reason="needs mpirun")
+@started.needs_mpirun
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_interrupted_ranks_end_and_tell_how_to_go_on(tmp_path: Path, number: int) -> None:
     """The line that the launcher would run is one that writes the numbers of its processes and sleeps."""
     launcher = launched_ranks(tmp_path, "echo $$ > $OMPI_COMM_WORLD_RANK; exec sleep inf")
-    while len(started := [path for path in tmp_path.glob("[01]") if path.read_text()]) < 2:
+    while len(ranks := [path for path in tmp_path.glob("[01]") if path.read_text()]) < 2:
         assert launcher.poll() is None
     launcher.send_signal(number)
     stderr = launcher.communicate()[1]
     assert launcher.returncode == 130
     assert "--resume" in stderr
-    for path in started:
-        while is_running(path.read_text().strip()):
+    for path in ranks:
+        while started.is_running(path.read_text().strip()):
             pass  # a test that would never end is what fails here
 
 
-@pytest.mark.skipif(shutil.which("mpirun") is None, reason="needs mpirun")
+@started.needs_mpirun
 def test_ranks_end_with_the_code_of_the_program(tmp_path: Path) -> None:
     launcher = launched_ranks(tmp_path, "exit 3")
     launcher.communicate()
     assert launcher.returncode == 3
-
-
-def is_running(process: str) -> bool:
-    """Whether a process has neither ended nor waits for its parent to take note of its end."""
-    try:
-        status = Path("/proc", process, "stat").read_text()
-    except OSError:
-        return False
-    return status.rpartition(")")[2].split()[0] not in "ZX"
 
 
 def launched_ranks(folder: Path, script: str) -> subprocess.Popen[str]:

@@ -1,23 +1,16 @@
 """Runs of the smallest braid that several tests look at."""
 
-import subprocess
-
 import pytest
-from runs import Run, command, environment
+import started
+from runs import Run, command
 
 
 @pytest.fixture(scope="session")
 def run():
     """Runs the small rope to its end; gives the Run."""
 
-    def start(folder, *words, **options):
-        done = subprocess.run(
-            command(folder, *words, **options),
-            env=environment(),
-            capture_output=True,
-            text=True,
-            timeout=300,
-        )
+    def start(folder, *words, ranks=0, **options):
+        done = started.run(*command(folder, *words, **options), ranks=ranks)
         return Run(folder, done.returncode, done.stderr)
 
     return start

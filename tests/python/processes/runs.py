@@ -1,7 +1,6 @@
 """Runs of the smallest braid through the command line, as a user starts them."""
 
 import json
-import os
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -33,18 +32,7 @@ class Run:
         return history.read(self.folder / "history.csv")
 
 
-def command(folder, *words, scene=SMALL, ranks=1):
+def command(folder, *words, scene=SMALL):
     """The words that start a run."""
-    mpirun = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
     program = [sys.executable, "-m", "braidx", "run", str(scene), "--out", str(folder), *QUICK]
-    return [*mpirun, *program, *words]
-
-
-def environment():
-    """That of this process; ranks on one machine, and one thread each, so that they do not fight."""
-    return os.environ | {
-        "OMPI_MCA_btl": "self,sm",
-        "OMPI_MCA_mpi_yield_when_idle": "1",
-        "OPENBLAS_NUM_THREADS": "1",
-        "BRAIDX_THREADS": "1",
-    }
+    return [*program, *words]

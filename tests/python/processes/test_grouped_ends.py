@@ -1,13 +1,11 @@
 """Groups of ends: placed where they belong, constrained as dense algebra says, the same on several processes."""
 
-import os
-import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+import started
 from end_bundle import CLAMP, MEAN_TURN, SIDE, TURN, bundle, last_ends, mean_rotation, run
 from mpi4py import MPI
 
@@ -123,23 +121,13 @@ def test_a_mean_that_is_given_already_is_refused_before_anything_is_computed():
         check_ends(scene, build_rope(scene))
 
 
-@pytest.mark.skipif(shutil.which("mpirun") is None, reason="needs mpirun")
+@started.needs_mpirun
 def test_two_processes_find_what_one_does(tmp_path):
     results = []
     for ranks in (1, 2):
         path = tmp_path / f"{ranks}.npz"
         script = Path(__file__).with_name("end_bundle.py")
-        command = [
-            "mpirun",
-            "--oversubscribe",
-            "-n",
-            str(ranks),
-            sys.executable,
-            str(script),
-            str(path),
-        ]
-        environment = os.environ | {"OMPI_MCA_btl": "self,sm", "OMPI_MCA_mpi_yield_when_idle": "1"}
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120)
+        done = started.run(sys.executable, script, path, ranks=ranks)
         assert done.returncode == 0, done.stderr
         results.append(np.load(path))
     one, two = results

@@ -1,13 +1,11 @@
 """Beams, cables and solids in one scene, in contact, on one process and on two."""
 
-import os
-import shutil
-import subprocess
 import sys
 
 import mixed_scene
 import numpy as np
 import pytest
+import started
 
 
 def test_beam_across_cables():
@@ -22,25 +20,10 @@ def test_beam_across_cables():
     assert -contacts["gap"].min() <= 0.0101  # the default share of the radius
 
 
-@pytest.mark.skipif(shutil.which("mpirun") is None, reason="needs mpirun")
+@started.needs_mpirun
 def test_two_processes_find_what_one_does(tmp_path):
     path = tmp_path / "two.npz"
-    words = [
-        "mpirun",
-        "--oversubscribe",
-        "-n",
-        "2",
-        sys.executable,
-        mixed_scene.__file__,
-        str(path),
-    ]
-    environment = os.environ | {
-        "OMPI_MCA_btl": "self,sm",
-        "OMPI_MCA_mpi_yield_when_idle": "1",
-        "OPENBLAS_NUM_THREADS": "1",
-        "BRAIDX_THREADS": "1",
-    }
-    done = subprocess.run(words, env=environment, capture_output=True, text=True, timeout=120)
+    done = started.run(sys.executable, mixed_scene.__file__, path, ranks=2)
     assert done.returncode == 0, done.stderr
     two = np.load(path)
     for name, value in mixed_scene.results().items():

@@ -5,11 +5,11 @@ from __future__ import annotations
 import csv
 import importlib
 import json
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+import started
 
 from braidx.geometry import build_rope
 
@@ -68,7 +68,7 @@ def test_a_rope_of_two_studies_is_computed_once():
 def test_quick_study_from_end_to_end(tmp_path):
     script = STUDIES / "diameter_ratio.py"
     words = [sys.executable, str(script), "--quick", "--out", str(tmp_path)]
-    done = subprocess.run(words, capture_output=True, text=True, timeout=300)
+    done = started.run(*words)
     assert done.returncode == 0, done.stdout + done.stderr
     with (tmp_path / "diameter_ratio.csv").open(newline="", encoding="utf-8") as stream:
         rows = list(csv.DictReader(stream))
@@ -81,9 +81,8 @@ def test_quick_study_from_end_to_end(tmp_path):
     assert (tmp_path / "diameter_ratio.png").read_bytes().startswith(b"\x89PNG")
     # What has been computed is not computed again, and a table of one case has one row.
     before = {path: path.stat().st_mtime_ns for path in tmp_path.glob("runs/*/summary.json")}
-    again = subprocess.run(
-        [*words, "--only", "3.57"], capture_output=True, text=True, timeout=300, check=True
-    )
+    again = started.run(*words, "--only", "3.57")
+    assert again.returncode == 0, again.stderr
     assert {path: path.stat().st_mtime_ns for path in before} == before and len(before) == 2
     assert again.stdout.count("converged") == 1
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+import started
 from mpi4py import MPI
 
 from braidx.thermal import RopeHeat, ThermalMaterial
@@ -125,15 +123,13 @@ def test_bad_input_is_named() -> None:
         ThermalMaterial(1.0, 1.0, -1.0, 1.0, 1.0)
 
 
-@pytest.mark.skipif(shutil.which("mpirun") is None, reason="needs mpirun")
+@started.needs_mpirun
 def test_two_ranks_agree_with_one(tmp_path: Path) -> None:
     fields = []
-    for ranks in ("1", "2"):
+    for ranks in (1, 2):
         path = tmp_path / f"{ranks}.npy"
         script = str(Path(__file__).with_name("parallel_heat.py"))
-        command = ["mpirun", "--oversubscribe", "-n", ranks, sys.executable, script, str(path)]
-        environment = os.environ | {"OMPI_MCA_btl": "self,sm"}
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120)
+        done = started.run(sys.executable, script, path, ranks=ranks)
         assert done.returncode == 0, done.stderr
         fields.append(np.load(path))
     np.testing.assert_allclose(fields[0], fields[1], rtol=1e-12)

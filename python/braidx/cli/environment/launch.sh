@@ -8,6 +8,8 @@ make_prefix() {
     # The ranks of one machine talk through shared memory; without TCP no network interface is missed.
     prefix=("${inside[@]}" env "PYTHONPATH=$paths" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
         "OMPI_MCA_btl=${OMPI_MCA_btl:-^tcp}"
+        # Ranks that wait for each other leave the core to who needs it: on a loaded machine it takes hours otherwise.
+        "OMPI_MCA_mpi_yield_when_idle=${OMPI_MCA_mpi_yield_when_idle:-1}"
         # The fronts of a rope's factorisation are small: two BLAS threads took 2.4 times as long as one.
         "OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}" "OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}")
     [ "$ranks" -gt 1 ] || return 0
