@@ -14,7 +14,7 @@ from mpi4py import MPI
 from ..forms import beam
 from ..forms.materials import TransverselyIsotropic
 from .body import CurveBody, stack_lines
-from .frames import rotation_minimising_frames
+from .frames import check_right_handed, rotation_minimising_frames
 from .layout import FloatArray
 from .mesh import ElementField
 from .section import BeamSection, YarnMaterial
@@ -59,6 +59,8 @@ class BeamBody(CurveBody):
         positions = stack_lines(centre_lines)
         if directors is None:
             directors = rotation_minimising_frames(centre_lines)
+        for i, (line, pairs) in enumerate(zip(centre_lines, directors, strict=True)):
+            check_right_handed(line, np.asarray(pairs), f"directors of curve {i}")
         rest = np.hstack([positions, np.concatenate(list(directors)).reshape(-1, 6)])
         sections = _per_curve(section, len(centre_lines), "section")
         super().__init__(comm, centre_lines, rest, degree, [s.area for s in sections])

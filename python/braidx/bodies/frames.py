@@ -57,6 +57,22 @@ def rotation_minimising_frames(
     )
 
 
+def check_right_handed(line: FloatArray, directors: FloatArray, name: str) -> None:
+    """Refuses directors, shape (num_nodes, 2, 3), that are no right-handed frame with the tangent of their line.
+
+    Raises:
+        ValueError: If g1 x g2 does not point along the line; the message begins with the name.
+    """
+    if directors.shape != (len(line), 2, 3):
+        raise ValueError(f"{name} have shape {directors.shape}: give ({len(line)}, 2, 3)")
+    along = (np.cross(directors[:, 0], directors[:, 1]) * nodal_tangents(line)).sum(axis=1)
+    if not along.min() > 0.0:
+        raise ValueError(
+            f"{name} are left-handed at node {along.argmin()}: g1 x g2 must point along the line; swap g1 and g2, or "
+            "change the sign of one of them"
+        )
+
+
 def _reflect(vectors: FloatArray, normals: FloatArray) -> FloatArray:
     """Reflect at the planes with these normals; a zero normal leaves the vector, shapes (n, 3)."""
     square = np.sum(normals**2, axis=1)

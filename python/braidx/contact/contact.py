@@ -108,9 +108,9 @@ class Contact:
         )
         self._lay_out()
 
-    def thin_tubes(self, by: Floats) -> None:
-        """Makes tubes thinner, shape (num_tubes,), mm."""
-        self.layout = replace(self.layout, radius=self.layout.radius - by)
+    def set_radius(self, radius: Floats) -> None:
+        """Makes tubes as thick as given, shape (num_tubes,), mm."""
+        self.layout = replace(self.layout, radius=radius)
         self.tubes = engine_tubes(self.layout, self._smooth, self.beyond)
 
     def adopt_stiffness(self) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..bodies.body import stack_lines
-from ..bodies.frames import rotation_minimising_frames
+from ..bodies.frames import check_right_handed, rotation_minimising_frames
 from .reference import HEXAHEDRA, FloatArray, IntArray, ReferenceCell
 from .section import SectionMesh
 from .solid_mesh import SolidMesh, Sweep
@@ -35,6 +35,7 @@ def sweep(line: FloatArray, section: SectionMesh, directors: FloatArray | None =
         )
     if directors is None:
         (directors,) = rotation_minimising_frames([line])
+    check_right_handed(line, directors, "directors")
     per_layer, per_element = len(section.points), len(section.quads)
     points = line[:, None] + np.einsum("ja,lai->lji", section.points, directors)
     cells = _cells(section, num_elements)

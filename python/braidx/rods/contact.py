@@ -25,7 +25,13 @@ def make_contact(
     self_contact: float | None,
     spacing: float | None,
 ) -> Contact:
-    """Contact of rods; see Rods for the arguments. Its tangent is the consistent one."""
+    """Contact of rods; see Rods for the arguments. Its tangent is the consistent one.
+
+    Raises:
+        ValueError: If a rod that may touch itself begins where it ends.
+    """
+    if self_contact is not None:
+        _refuse_open_rings(layout)
     tubes, skins = layout.tubes, layout.skins
     if not each_other:
         tubes = replace(tubes, group=0 * tubes.num_elements)
@@ -38,6 +44,18 @@ def make_contact(
     contact.laws.regularisation = REGULARISATION * contact.min_radius
     contact.laws.reversible_slip = REVERSIBLE_SLIP * contact.min_radius
     return contact
+
+
+def _refuse_open_rings(layout: Layout) -> None:
+    """The ends of a rod that begins where it ends are in each other, and would push each other away."""
+    for rod, radius in enumerate(layout.radius):
+        ends = layout.rest[layout.unknowns(rod, [0, -1])[:, :3]]
+        apart = float(np.linalg.norm(ends[1] - ends[0]))
+        if apart < radius:
+            raise ValueError(
+                f"rod {rod} may touch itself, and its ends are {apart:.3g} mm apart: give closed=True if it is a ring, "
+                "or leave two radii between its ends"
+            )
 
 
 def station_spacing(tubes: TubeLayout) -> float:

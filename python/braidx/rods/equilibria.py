@@ -25,10 +25,12 @@ from .layout import Layout
 from .loads import Loads
 from .overlap import hidden_overlap
 from .passing import refuse_passing
+from .path import Impossible
 from .supports import Supports
 
 LETTING_GO = 0.1  # share of the viscosity that is left when an increment is solved again
 LOOKS = 8  # solutions of an increment, at most
+LOST = 0.01  # of forces, and of the way that loads make, what round-off may take
 
 
 class Equilibria:
@@ -54,6 +56,7 @@ class Equilibria:
         self._supports, self._loads = supports, loads
         self._newton_options, self._options = newton, options
         self._inertia: InertiaTerm | None = None
+        self._carried: Floats = np.zeros(layout.rest.size)  # dead loads of the state accepted last
         self.prepare()
 
     def prepare(self, inertia: InertiaTerm | None = None) -> None:
@@ -98,12 +101,14 @@ class Equilibria:
                 self._newton.foresee(start, following)
                 fitting = following
         elements, viscosity = self._contact.elements.copy(), self._proximal.viscosity
+        self._newton.below_round_off = self._is_loaded()
         try:
             found = self._solve(start, fitting, elements)
             refuse_folded(self._layout, found.q)
             refuse_kinked(self._layout, found.q)
-            if not leap:
-                refuse_passing(self._layout, self._contact, start, found.q)
+            refuse_passing(self._layout, self._contact, start, found.q, leap)
+            self._warn_of_depth(found)
+            self._carried = self._dead.loads.copy()
         except Diverged as failure:
             rods = self._layout.surface_rods
             failure.pairs = [(rods[a], rods[b] if b >= 0 else b) for a, b in failure.pairs]
@@ -122,27 +127,59 @@ class Equilibria:
         for _ in range(LOOKS):
             found = self._incrementer.solve(start, guess, self._options)
             iterations, solves = iterations + found.iterations, solves + found.linear_solves
-            why = self._what_is_wrong(found.q)
-            if not why:
+            wrong = self._what_is_wrong(start, found.q)
+            if wrong is None:
                 return replace(found, iterations=iterations, linear_solves=solves)
-            LOGGER.debug("solved again: %s", why)
+            LOGGER.debug("solved again: %s", wrong)
             self._contact.restore(elements.copy())
             self._proximal.viscosity = LETTING_GO * self._proximal.viscosity
             guess = found.q
-        raise Diverged(why, iterations, solves)
+        assert wrong is not None
+        wrong.iterations, wrong.linear_solves = iterations, solves
+        raise wrong
 
-    def _what_is_wrong(self, q: Floats) -> str:
-        """What makes a state that was found no equilibrium, or nothing."""
+    def _what_is_wrong(self, start: Floats, q: Floats) -> Diverged | None:
+        """What makes a state q that was found from `start` no equilibrium, or nothing."""
         depth, a, b = hidden_overlap(self._contact, q)
         if depth:
             a, b = self._layout.surface_rods[[a, b]]
-            return f"rods {a} and {b} overlap by {depth:.3g} mm more than contact sees"
-        if self._inertia is None and np.any(self._proximal.viscosity):
-            self._proximal.start = q
-            held = self._newton.residual(q)
-            if held > self._options.pairing_tolerance:
-                return f"viscosity holds {held:.1e} of the forces"
-        return ""
+            return Diverged(
+                f"rods {a} and {b} overlap by {depth:.3g} mm more than contact sees", 0, 0
+            )
+        if self._inertia is not None:
+            return None
+        self._proximal.start = q
+        held = self._newton.residual(q)
+        if np.any(self._proximal.viscosity) and held > self._options.pairing_tolerance:
+            return Diverged(f"viscosity holds {held:.1e} of the forces", 0, 0)
+        if self._is_loaded() and self._is_lost(q - start):
+            return Impossible(
+                f"forces of {self.system.force_scale:.2g} N at most are lost in the round-off of internal forces, "
+                f"{self._newton.norm:.2g} N: rods so stiff do not feel such loads; give larger ones"
+            )
+        return None
+
+    def _is_lost(self, way: Floats) -> bool:
+        """Whether loads that have changed move rods by no more than the round-off of internal forces does."""
+        if np.array_equal(self._dead.loads, self._carried):
+            return False
+        unbalanced = self._newton.norm > LOST * self.system.force_scale
+        return unbalanced and self._newton.step > LOST * float(np.linalg.norm(way))
+
+    def _is_loaded(self) -> bool:
+        """Whether loads act on anything that can move."""
+        moving = self.system.constraints.reduce(self._dead.loads)
+        return bool(moving.any() or self._couples.couples.any())
+
+    def _warn_of_depth(self, found: Increment) -> None:
+        """Tells of penetration that no penalty was raised for: what is held cannot give way."""
+        allowed = self._options.penetration
+        if allowed is not None and found.penetration > allowed:
+            LOGGER.warning(
+                "held nodes are in each other by %.3g mm, as they were placed: contact forces there are not those of "
+                "rods that touch",
+                found.penetration,
+            )
 
     def start_moving(self, q: Floats, fresh: bool) -> None:
         """Motion starts at the state q; `fresh`: inertia does not know the forces there yet."""
@@ -167,6 +204,14 @@ class Equilibria:
         """Changes of all unknowns that follow the free ones where supports stand still, shape (num_unknowns,)."""
         constraints = self.system.constraints
         return np.asarray(constraints.transform @ values[constraints.free])
+
+    def out_of_balance(self, q: Floats) -> tuple[Floats, float]:
+        """What nothing balances at the begin of the way, shape (num_unknowns,), N, and the largest term's norm, N."""
+        self._ask_for(0.0)
+        self._contact.start = q
+        both, left = self._residual_without(q, self._proximal), np.zeros(q.size)
+        left[self.system.constraints.free] = self.system.constraints.reduce(both)
+        return left, self.system.force_scale
 
     def forces(self, q: Floats) -> Floats:
         """Residual of all terms but inertia, of all processes, in the state q, shape (num_unknowns,), N."""

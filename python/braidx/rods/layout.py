@@ -12,6 +12,7 @@ import numpy as np
 from mpi4py import MPI
 
 from ..bodies import CurveBody, SolidBody
+from ..bodies.frames import check_right_handed
 from ..contact.skins import SkinLayout
 from ..contact.tubes import TubeLayout
 from ..system.terms import Floats, Ints
@@ -98,6 +99,7 @@ def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
     """
     if not rods:
         raise ValueError("rods is empty: give one Cable, Beam or Solid at least")
+    _check_directors(rods)
     groups = _groups(rods)
     bodies = tuple(make_body(comm, [rods[i] for i in members]) for members in groups)
     first_body = np.cumsum([0, *(body.num_unknowns for body in bodies)])
@@ -142,6 +144,13 @@ def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
         place,
         float(np.linalg.norm([_round_off(rod) for rod in rods])),
     )
+
+
+def _check_directors(rods: Sequence[Rod]) -> None:
+    for number, rod in enumerate(rods):
+        if not isinstance(rod, Cable) and rod.directors is not None:
+            line, given = np.asarray(rod.line, float), np.asarray(rod.directors, float)
+            check_right_handed(line, given, f"directors of rod {number}")
 
 
 def _groups(rods: Sequence[Rod]) -> list[list[int]]:

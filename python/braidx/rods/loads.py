@@ -59,6 +59,10 @@ class Loads:
         couples = [begin + share * (end - begin) for begin, end in self._couples.values()]
         return self._now + share * (target - self._now), np.array(couples).reshape(-1, 3)
 
+    def balance(self, forces: Floats) -> None:
+        """Adds forces, shape (num_unknowns,), N and N mm, to the loads now; the way takes them off."""
+        self._now = self._now + forces
+
     def finish(self, share: float) -> None:
         """The way ends at this share of it; what was asked for stays asked for."""
         now, couples = self.at(share)

@@ -24,6 +24,16 @@ def hidden_overlap(contact: Contact, q: Floats) -> tuple[float, int, int]:
         q: The equilibrium, shape (num_unknowns,).
     """
     known = _depths(contact, q, contact.elements)
+    radius, worst = contact.layout.radius, (0.0, 0, 0)
+    for (a, b), depth in overlaps(contact, q).items():
+        more = depth - known.get((a, b), 0.0)
+        if more > HIDDEN * (radius[a] + radius[b]):
+            worst = max(worst, (more, a, b))
+    return max(contact.comm.allgather(worst))
+
+
+def overlaps(contact: Contact, q: Floats) -> dict[tuple[int, int], float]:
+    """Deepest overlap of each two tubes that overlap in the state q, mm, as contact elements made anew see it."""
     contact.pairing.within_increment = False
     fresh = engine.make_contact_elements(
         contact.surfaces,
@@ -34,12 +44,7 @@ def hidden_overlap(contact: Contact, q: Floats) -> tuple[float, int, int]:
         engine.ContactElements(),
         contact.pairing,
     )
-    radius, worst = contact.layout.radius, (0.0, 0, 0)
-    for (a, b), depth in _depths(contact, q, fresh).items():
-        more = depth - known.get((a, b), 0.0)
-        if more > HIDDEN * (radius[a] + radius[b]):
-            worst = max(worst, (more, a, b))
-    return max(contact.comm.allgather(worst))
+    return _depths(contact, q, fresh)
 
 
 def _depths(

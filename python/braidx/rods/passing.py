@@ -11,32 +11,54 @@ from scipy.spatial import cKDTree
 from ..contact.contact import Contact
 from ..solver.trial import Diverged
 from ..system.terms import Floats, Ints
+from .chords import chord_distances
 from .layout import Layout
 
-NEAR = 0.5  # sums of radii: centre lines that come nearer on the way have passed
-PACE = 0.5  # thinnest radii that nodes move between two looks
-MOST = 100  # looks at an increment
+NEAR = 0.5  # sums of radii: centre lines that come nearer have passed, or are about to
+PACE = 0.5  # thinnest radii that nodes move between two looks: a passage is as long as two radii at least
 
 
-def refuse_passing(layout: Layout, contact: Contact, before: Floats, after: Floats) -> None:
-    """Looks at states on the straight way between two; increments too short for a passage are not looked at.
+def refuse_passing(
+    layout: Layout, contact: Contact, before: Floats, after: Floats, leap: bool = False
+) -> None:
+    """Looks at the state reached and at those on the straight way to it.
+
+    The way is bisected. A part of it on which no two rods can meet, as far from each other as they are in its middle
+    and as far as they move, is not looked at any closer: the number of looks has no limit, and long ways of rods that
+    move together need few.
 
     Args:
         before, after: Unknowns, shape (num_unknowns,).
+        leap: Whether rods may get there by any way; only the state reached counts then.
     Raises:
-        Diverged: If centre lines meet on the way.
+        Diverged: If centre lines meet.
     """
     chords = Chords.of(layout, contact)
-    moved = float(np.linalg.norm((after - before)[chords.positions], axis=1).max())
-    looks = min(MOST, int(moved / (PACE * contact.min_radius)))
-    if looks < 2:
+    met = chords.meetings(after)
+    if met:
+        raise Diverged("rods {} and {} are deep in each other".format(*min(met)), 0, 0)
+    motion = (after - before)[chords.positions]
+    motion -= motion.mean(axis=0)
+    moved = np.linalg.norm(motion, axis=1)
+    looks = int(moved.max() / (PACE * contact.min_radius))
+    if leap or looks < 2:
         return
-    # What overlaps to begin with, as the ends of a ring do, says nothing of the way.
-    known = chords.meetings(before)
-    for share in np.arange(1, looks) / looks:
-        met = chords.meetings((1.0 - share) * before + share * after) - known
-        if met:
+    # Parts to begin with are so short that the search stays local: within them nodes move by the longest chord.
+    count = max(1, int(moved.max() / chords.longest(before)))
+    ends = np.unique(np.linspace(0, looks, count + 1).astype(int))
+    parts = list(zip(ends[:-1].tolist(), ends[1:].tolist(), strict=True))
+    while parts:
+        first, last = parts.pop()
+        middle = (first + last) // 2
+        share = middle / looks
+        state = (1.0 - share) * before + share * after
+        reach = max(last - middle, middle - first) / looks * moved
+        if not chords.meetings(state, reach):
+            continue
+        if middle > 0 and (met := chords.meetings(state)):
             raise Diverged("rod {} would go through rod {} on the way".format(*min(met)), 0, 0)
+        if last - first > 1:
+            parts += [(first, middle), (middle, last)]
 
 
 @dataclass(frozen=True)
@@ -47,7 +69,7 @@ class Chords:
         positions: Unknowns of the positions of all nodes, rod by rod, shape (num_nodes, 3).
         first: Node that each chord starts at, the next one being its end, shape (num_chords,).
         rod: Of each chord, shape (num_chords,).
-        radius: Of each chord's rod, mm, shape (num_chords,).
+        radius: Of each chord's rod as contact sees it, mm, shape (num_chords,).
         self_exclusion: Radii along a rod within which it does not meet itself.
         others: Whether a rod may meet others.
     """
@@ -66,40 +88,46 @@ class Chords:
         owner = np.repeat(rods, layout.num_nodes)
         first = np.flatnonzero(owner[1:] == owner[:-1])
         rod = owner[first]
+        radius = layout.radius.copy()
+        radius[layout.surface_rods[: len(contact.layout.radius)]] = contact.layout.radius
         exclusion = float(contact.pairing.search.self_exclusion)
         others = contact.layout.group is None
-        return cls(positions, first, rod, layout.radius[rod], exclusion, others)
+        return cls(positions, first, rod, radius[rod], exclusion, others)
 
-    def meetings(self, state: Floats) -> set[tuple[int, int]]:
-        """Pairs of rods, the lower number first, that have chords too near each other in a state."""
+    def longest(self, state: Floats) -> float:
+        """Length of the longest chord, mm."""
+        nodes = state[self.positions]
+        return float(np.linalg.norm(nodes[self.first + 1] - nodes[self.first], axis=1).max())
+
+    def meetings(
+        self, state: Floats, motion: Floats | None = None, near: float = NEAR
+    ) -> set[tuple[int, int]]:
+        """Pairs of rods, the lower number first, that have chords too near each other in a state.
+
+        Args:
+            state: Unknowns, shape (num_unknowns,).
+            motion: How far each node may move from there, shape (num_nodes,), mm; none by default.
+            near: Distance that is too near, sums of radii.
+        """
+        may_move = np.zeros(len(self.positions)) if motion is None else motion
+        ways = np.maximum(may_move[self.first], may_move[self.first + 1])
         nodes = state[self.positions]
         begin, end = nodes[self.first], nodes[self.first + 1]
         length = np.linalg.norm(end - begin, axis=1)
         middle = (begin + end) / 2.0
-        farthest = 2.0 * NEAR * self.radius.max() + length.max()
+        farthest = 2.0 * (near * self.radius.max() + ways.max()) + length.max()
         i, j = cKDTree(middle).query_pairs(farthest, output_type="ndarray").T
-        limit = NEAR * (self.radius[i] + self.radius[j])
+        limit = near * (self.radius[i] + self.radius[j]) + ways[i] + ways[j]
         reach = limit + (length[i] + length[j]) / 2.0
         asked = self._may_meet(i, j, length)
         asked &= np.linalg.norm(middle[i] - middle[j], axis=1) <= reach
         i, j = i[asked], j[asked]
-        near = _distances(nodes, nodes, self.first[i], self.first[j]) < limit[asked]
+        distances = chord_distances(begin[i], end[i], begin[j], end[j])
+        near = distances < limit[asked]
         return set(zip(self.rod[i[near]].tolist(), self.rod[j[near]].tolist(), strict=True))
 
     def _may_meet(self, i: Ints, j: Ints, length: Floats) -> npt.NDArray[np.bool_]:
-        """Whether chords i and j are of rods that may meet, or far from each other on one that may meet itself."""
-        before = np.cumsum(length) - length
-        apart = np.abs(before[i] - before[j]) > self.self_exclusion * self.radius[i]
+        """Whether chords i < j are of rods that may meet, or far from each other on one that may meet itself."""
+        end = np.cumsum(length)
+        apart = end[j] - length[j] - end[i] > self.self_exclusion * self.radius[i]
         return np.where(self.rod[i] == self.rod[j], apart, self.others)
-
-
-def _distances(a: Floats, b: Floats, i: Ints, j: Ints) -> Floats:
-    """Of chords i of a line from chords j of another, shape (n,), mm."""
-    u, v, w = a[i + 1] - a[i], b[j + 1] - b[j], a[i] - b[j]
-    uu, vv, uv = (u * u).sum(-1), (v * v).sum(-1), (u * v).sum(-1)
-    uw, vw = (u * w).sum(-1), (v * w).sum(-1)
-    det = np.maximum(uu * vv - uv**2, 1e-12 * uu * vv)
-    s = np.clip((uv * vw - vv * uw) / det, 0.0, 1.0)
-    t = np.clip((uv * s + vw) / vv, 0.0, 1.0)
-    s = np.clip((uv * t - uw) / uu, 0.0, 1.0)
-    return np.asarray(np.linalg.norm(w + s[:, None] * u - t[:, None] * v, axis=-1))

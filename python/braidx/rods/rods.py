@@ -10,9 +10,9 @@ import numpy.typing as npt
 from mpi4py import MPI
 
 from ..solver.increment import Increment, IncrementOptions
-from ..solver.newton import NewtonOptions
 from ..system.proximal import ProximalTerm
 from ..system.terms import Floats
+from .apart import push_apart
 from .contact import make_contact
 from .equilibria import Equilibria
 from .energy_balance import EnergyBalance, MotionStep
@@ -20,15 +20,14 @@ from .inertia import InertiaTerm, Scheme
 from .layout import lay_out
 from .loads import Loads
 from .motion import TimeSteps, make_inertia
-from .path import follow
+from .options import PATIENCE, newton_options
+from .path import NotConverged, follow
 from .placed import placed
 from .rod import Rod
+from .start import explained, take_off
 from .state import ALL, RodState
 from .supports import Motion, Supports
 
-# Rods that hardly stretch: a step that bends them stretches them, too, and the next ones take that back.
-PATIENCE = 20
-MANY = 5000  # unknowns from which on factors of a tangent cost more than to solve with those of an earlier one
 Nodes = int | slice | Sequence[int]
 
 
@@ -102,20 +101,7 @@ class Rods(RodState):
         self.penetration = None if penetration is None else penetration * self.contact.min_radius
         self._inertia: InertiaTerm | None = None
         self.motion: list[MotionStep] = []
-        radius = self.contact.min_radius
-        touching = (contact and len(rods) > 1) or self_contact is not None or len(rigid) > 0
-        size = max(float(np.ptp(rod.line, axis=0).max()) for rod in rods)
-        newton = NewtonOptions(
-            tolerance,
-            max_iterations=60,
-            max_step=max_step or (radius if touching else size),
-            symmetric=False,
-            least_force=self.layout.round_off / tolerance,
-            vain=patience,
-            max_turn=1.0,
-            halving=True,
-            lagged=self.q.size > MANY,
-        )
+        newton = newton_options(self.layout, self.contact, tolerance, max_step, patience)
         options = IncrementOptions(pairing_tolerance=10 * tolerance, penetration=self.penetration)
         self._equilibria = Equilibria(
             comm,
@@ -219,9 +205,15 @@ class Rods(RodState):
             observe: Called after each increment with the share of the way that is done.
         Raises:
             NotConverged: If no equilibrium is found; the state is the last one that was, motions and loads stay there.
+
+        Rods that are in each other at the start are pushed apart first. What nothing balances at the start is taken off
+        evenly on the way.
         """
         self._inertia, self.motion = None, []
         self._equilibria.prepare()
+        if self.penetration is not None:
+            self.q = push_apart(self._equilibria, self.layout, self.contact, self.q)
+        self._start = take_off(self._equilibria, self.layout, self.loads, self.q)
         whole = placed(self.layout, self.q, guess) if isinstance(guess, Mapping) else guess
 
         def step(begin: float, end: float, before: Floats) -> Increment:
@@ -258,7 +250,7 @@ class Rods(RodState):
         """
         last = self._inertia
         inertia = make_inertia(self.rods, self.layout.mass, scheme, velocity, last, self.comm.rank)
-        self._inertia = inertia
+        self._inertia, self._start = inertia, ""
         self._equilibria.prepare(inertia)
         credit = sum(step.numerical_dissipation for step in self.motion)
         balance = EnergyBalance(self._equilibria, self.layout, self.contact, credit)
@@ -291,6 +283,8 @@ class Rods(RodState):
 
         try:
             return follow(step, self.q, increments, max_cuts, accept)
+        except NotConverged as failure:
+            raise explained(failure, self._start, self.layout, self.supports) from failure.__cause__
         finally:
             self._equilibria.stop(self.q, done)
             self.supports.finish(done)

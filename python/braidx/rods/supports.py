@@ -47,6 +47,7 @@ class Supports:
     Attributes:
         held: Values that held unknowns have now, shape (num_unknowns,).
         is_held: Which unknowns are held, shape (num_unknowns,).
+        groups: Unknowns whose means are held, shape (n, num_components) each.
         means: Values that held means have now, mm, one array of shape (num_components,) per group.
     """
 
@@ -55,7 +56,7 @@ class Supports:
         self.held = rest.copy()
         self.means: list[Floats] = []
         self.is_held = np.zeros(rest.size, dtype=bool)
-        self._groups: list[Ints] = []
+        self.groups: list[Ints] = []
         self._motions: list[Motion] = []
         self._shifts: list[tuple[int, Floats]] = []
 
@@ -71,9 +72,9 @@ class Supports:
 
     def hold_mean(self, positions: Ints, q: Floats) -> int:
         """The mean of unknowns of nodes, shape (n, num_components), stays where it is; number of the group."""
-        self._groups.append(positions)
+        self.groups.append(positions)
         self.means.append(q[positions].mean(axis=0))
-        return len(self._groups) - 1
+        return len(self.groups) - 1
 
     def move(self, motion: Motion) -> None:
         """Nodes take part in a motion while the next equilibria are found.
@@ -119,7 +120,7 @@ class Supports:
         for section in self._sections:
             section.constrain(constraints)
         constraints.hold(np.flatnonzero(self.is_held))
-        for group in self._groups:
+        for group in self.groups:
             for component in group.T:
                 constraints.hold_mean(component)
         return constraints.resolve()
@@ -127,6 +128,6 @@ class Supports:
     def values(self, held: Floats, means: list[Floats]) -> Floats:
         """Inhomogeneous values of the constraints, shape (num_unknowns,)."""
         values = np.where(self.is_held, held, 0.0)
-        for group, mean in zip(self._groups, means, strict=True):
+        for group, mean in zip(self.groups, means, strict=True):
             values[group[-1]] = len(group) * mean
         return values

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from petsc4py import PETSc
@@ -12,12 +12,17 @@ from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
 from .lagged import LaggedFactors
 from .mumps import grow_workspace
+from .newton_result import NewtonResult
 from .petsc_options import PREFIX, set_options
 from .reasons import INDEFINITE, UNSOLVED, broken_off, ended
 from .step_limit import StepLimit
 
 LINE_SEARCH = "snes_linesearch_type"
 VAIN = 3  # see NewtonOptions
+HALVED = (
+    0.5  # of a residual near round-off that an iteration has to take away to be worth another one
+)
+NOISE = 10.0  # times the estimate of round-off: the most that it was found to leave, of thin rods that hardly contract
 PATIENT = 5  # the same where no search follows
 
 
@@ -32,8 +37,8 @@ class NewtonOptions:
         max_turn: Largest change of a director component in one iteration; those steps are cut one by one.
         symmetric: Whether the tangent is symmetric (Cholesky instead of LU).
         petsc: PETSc options passed through, without leading dash.
-        least_force: Force scale that counts at least, N: where nothing is strained yet, nothing but round-off is left
-            to measure a residual against.
+        least_force: Force scale that counts at least, N.
+        round_off: Estimate of the norm that round-off leaves of internal forces, N; see `Newton.below_round_off`.
         vain: Full steps in a row, none of which comes nearer than the best before, after which steps are searched for.
         halving: Whether steps that take back the last one are halved (solver/step_limit.py).
         lagged: Whether factors of earlier tangents may serve where the tangent is not symmetric (solver/lagged.py).
@@ -46,33 +51,10 @@ class NewtonOptions:
     symmetric: bool = True
     petsc: Mapping[str, object] | None = None
     least_force: float = 0.0
+    round_off: float = 0.0
     vain: int = VAIN
     halving: bool = False
     lagged: bool = False
-
-
-@dataclass(frozen=True)
-class NewtonResult:
-    """Outcome of a solve: whether it converged, in how many iterations, and the last relative residual."""
-
-    converged: bool
-    iterations: int
-    linear_solves: int
-    residual: float
-    reason: str
-
-    def after(self, other: NewtonResult) -> NewtonResult:
-        """This outcome with the cost of another attempt before it."""
-        return replace(
-            self,
-            iterations=other.iterations + self.iterations,
-            linear_solves=other.linear_solves + self.linear_solves,
-        )
-
-    @property
-    def exhausted(self) -> bool:
-        """Whether it only ran out of iterations."""
-        return self.reason == "diverged max it"
 
 
 class Newton:
@@ -87,7 +69,10 @@ class Newton:
         bold: Whether full steps are tried first.
         indefinite: Whether the solver in use copes with an indefinite tangent, at a higher price.
         tolerance, max_iterations: As in the options, unless loosened for states only passed through.
+        below_round_off: Whether iterations go on below the estimate of round-off, which is seldom reached, until one
+            does not halve the residual: loads can be smaller.
         norm: Of the last residual, N.
+        step: Norm of the last step, mm and, on directors, 1.
     """
 
     def __init__(self, system: GlobalSystem, options: NewtonOptions, directors: np.ndarray) -> None:
@@ -100,13 +85,13 @@ class Newton:
         self._full: PETSc.SNES | None = None
         self._lagged = LaggedFactors(PREFIX) if _may_lag(options) else None
         self.indefinite = False
-        self.bold = True
+        self.bold, self.below_round_off = True, False
         self._enough = self._iterations_left = 0.0
         self._least, self._in_vain, self._most_in_vain = np.inf, 0.0, np.inf
         self._limit = StepLimit(system.comm, options.max_step, options.max_turn, options.halving)
         self._came_from: Floats | None = None  # where the last tangent was made
         self._found: Floats = np.empty(0)  # and where that step, the last one, led
-        self.norm = np.inf
+        self.norm, self.step = np.inf, 0.0
         self.restore_options()
 
     def restore_options(self) -> None:
@@ -252,7 +237,17 @@ class Newton:
         return self._relative()
 
     def _relative(self) -> float:
-        return self.norm / max(self.system.force_scale, self.options.least_force, 1e-300)
+        return 0.0 if self.norm <= NOISE * self.options.round_off else self.norm / self._scale()
+
+    def _scale(self) -> float:
+        return max(self.system.force_scale, self.options.least_force, 1e-300)
+
+    def _is_enough(self, fell: bool) -> bool:
+        """Whether the last residual is small beside the forces, or is round-off that does not fall any more."""
+        noise = (0.0 if self.below_round_off else 1.0) if fell else NOISE
+        return (
+            self.norm <= noise * self.options.round_off or self.norm < self._enough * self._scale()
+        )
 
     def _function(self, snes: PETSc.SNES, x: PETSc.Vec, f: PETSc.Vec) -> None:
         self.system.set_state(self.system.expand(self.system.gather(x)))
@@ -270,10 +265,10 @@ class Newton:
         self.system.assemble_tangent()
 
     def _test(self, snes: PETSc.SNES, iteration: int, norms: tuple[float, float, float]) -> int:
-        self.norm = norms[2]
+        last, self.norm = self.norm, norms[2]
         if not np.isfinite(self.norm):
             return PETSc.SNES.ConvergedReason.DIVERGED_FNORM_NAN
-        if self._relative() < self._enough:
+        if self._is_enough(fell=iteration == 0 or self.norm < HALVED * last):
             return PETSc.SNES.ConvergedReason.CONVERGED_FNORM_RELATIVE
         if iteration >= self._iterations_left:
             return PETSc.SNES.ConvergedReason.DIVERGED_MAX_IT
@@ -289,6 +284,7 @@ class Newton:
         # Which unknowns are free may differ from increment to increment.
         turning = self.directors[self.system.constraints.free[first:last]]
         self._limit.apply(step.array, turning)
+        self.step = step.norm()
         return True
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..system.constraints import Floats
-from .newton import NewtonResult
+from .newton_result import NewtonResult
 
 FIRST_DAMPING = 0.25  # damping over (contact force of a node / radius)
 MOST_DAMPING = 1.0  # more would hide the residual rather than remove it

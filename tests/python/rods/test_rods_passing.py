@@ -5,7 +5,7 @@ from itertools import combinations_with_replacement
 import numpy as np
 import pytest
 
-from braidx.rods import Beam, Cable, Rods, YarnMaterial, curve
+from braidx.rods import Beam, Cable, Rods, YarnMaterial, curve, straight
 from braidx.rods.passing import NEAR, Chords, refuse_passing
 from braidx.solver.trial import Diverged
 
@@ -37,7 +37,7 @@ def meet(rods, a, b):
         distance(*lines[0][i : i + 2], *lines[1][j : j + 2]) < limit
         for i in range(len(lines[0]) - 1)
         for j in range(len(lines[1]) - 1)
-        if a != b or abs(arc[i] - arc[j]) > EXCLUDED * rods.rods[a].radius
+        if a != b or max(arc[i] - arc[j + 1], arc[j] - arc[i + 1]) > EXCLUDED * rods.rods[a].radius
     )
 
 
@@ -76,14 +76,59 @@ def test_meetings_are_those_of_a_look_at_all_pairs(options):
     assert bool(found) == (others or themselves)
 
 
-def test_the_way_counts_and_not_what_meets_to_begin_with():
-    rods = tangle(0)
-    chords = Chords.of(rods.layout, rods.contact)
-    begin, end = rods.q, rods.q.copy()
-    end[rods.layout.unknowns(4, slice(None))[:, 0]] += 30.0
-    states = [(1.0 - share) * begin + share * end for share in np.linspace(0.0, 1.0, 200)]
-    assert chords.meetings(end) < set.union(*(chords.meetings(state) for state in states))
-    with pytest.raises(Diverged, match="rod 4"):
-        refuse_passing(rods.layout, rods.contact, begin, end)
-    assert chords.meetings(begin)
-    refuse_passing(rods.layout, rods.contact, begin, begin + 1.0)
+def crossing_at(height, **options):
+    """Two beams of radius 1 across each other, the upper one at a height."""
+    material = YarnMaterial.isotropic(1e3, 0.3)
+    lines = [straight((-8, 0, 0), (8, 0, 0), 8), straight((0, -8, height), (0, 8, height), 8)]
+    return Rods([Beam(line, 1.0, material) for line in lines], **options)
+
+
+def passed(rods, before, after, **options):
+    try:
+        refuse_passing(rods.layout, rods.contact, before, after, **options)
+    except Diverged as refused:
+        return str(refused)
+    return ""
+
+
+def moved(rods, rod, by):
+    after = rods.q.copy()
+    after[rods.layout.unknowns(rod, slice(None))[:, :3]] += by
+    return after
+
+
+@pytest.mark.parametrize("way", [5.0, 300.0, 3e4])
+def test_no_way_is_too_long_for_a_passage_to_be_seen(way):
+    """Rods that meet on a thousandth of their way, and such as pass beside each other."""
+    rods = crossing_at(3.0)
+    far = moved(rods, 1, (0.0, 0.0, 0.9 * way))
+    assert "go through" in passed(rods, far, moved(rods, 1, (0.0, 0.0, -0.1 * way - 5.0)))
+    aside = far.copy()
+    aside[rods.layout.unknowns(1, slice(None))[:, 0]] += 20.0
+    down = moved(rods, 1, (20.0, 0.0, -0.1 * way - 5.0))
+    assert passed(rods, aside, down) == ""
+    assert passed(rods, rods.q, rods.q + way) == ""  # both together
+
+
+def test_long_ways_are_looked_at_where_rods_are_near(monkeypatch):
+    rods, looks = crossing_at(3.0), []
+    meetings = Chords.meetings
+    monkeypatch.setattr(Chords, "meetings", lambda *args: looks.append(args) or meetings(*args))
+    assert passed(rods, rods.q, moved(rods, 1, (0.0, 0.0, 3e3))) == ""
+    assert len(looks) < 3e3 / 2.0 / 0.5 / 2.0  # every chord's length, not every half radius
+
+
+@pytest.mark.parametrize("leap", [False, True])
+def test_a_state_with_rods_deep_in_each_other_is_refused_however_it_was_reached(leap):
+    rods = crossing_at(0.9)
+    assert passed(rods, rods.q, rods.q, leap=leap) == "rods 0 and 1 are deep in each other"
+    rods = crossing_at(1.1)
+    assert passed(rods, rods.q, rods.q, leap=leap) == ""
+
+
+def test_neighbours_on_a_rod_do_not_meet():
+    """Chords longer than the length within which a rod does not touch itself."""
+    rods = Rods(
+        [Cable(straight((0, 0, 0), (80, 0, 0), 8), 1.0, 1e3, tension=1.0)], self_contact=EXCLUDED
+    )
+    assert not Chords.of(rods.layout, rods.contact).meetings(rods.q)

@@ -68,7 +68,8 @@ def _fit_tubes(contact: Contact, start: Floats, surfaces: Surfaces) -> None:
     # Of what was not formed but placed, and lies in each other deeply, contact has to make something.
     deepest = min(float(depth.max(initial=0.0)), MOST_THINNER * float(contact.min_radius))
     thinner = contact.comm.allreduce(deepest, op=MPI.MAX)
-    contact.thin_tubes(np.where(contact.layout.body == YARN, thinner, 0.0))
+    by = np.where(contact.layout.body == YARN, thinner, 0.0)
+    contact.set_radius(contact.layout.radius - by)
     contact.restore(engine.ContactElements())
 
 

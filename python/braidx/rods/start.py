@@ -1,0 +1,87 @@
+"""Starts that are no equilibria, and rods that nothing holds."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..system.terms import Floats, Ints
+from .equilibria import Equilibria
+from .layout import Layout
+from .loads import Loads
+from .path import Impossible, NotConverged
+from .supports import Supports
+
+BALANCED = (
+    1e-6  # of the largest force: what nothing balances at a start that counts as an equilibrium
+)
+
+
+def take_off(equilibria: Equilibria, layout: Layout, loads: Loads, q: Floats) -> str:
+    """Has forces that nothing balances at the start balanced by loads, which go off evenly on the way.
+
+    A bent rod that would be straight, or a node that is held no more, is let go little by little.
+
+    Args:
+        q: Unknowns at the start, shape (num_unknowns,).
+    Returns:
+        What is out of balance, for a message; nothing where the start is an equilibrium.
+    """
+    left, scale = equilibria.out_of_balance(q)
+    if float(np.linalg.norm(left)) <= max(BALANCED * scale, layout.round_off):
+        return ""
+    loads.balance(left)
+    positions = [layout.unknowns(rod, slice(None))[:, :3] for rod in range(len(layout.first))]
+    most = [float(np.linalg.norm(left[unknowns], axis=1).max()) for unknowns in positions]
+    rod = int(np.argmax(most))
+    node = int(np.linalg.norm(left[positions[rod]], axis=1).argmax())
+    return (
+        f"The start is out of balance: {most[rod]:.3g} N on node {node} of rod {rod} before anything is asked for, "
+        "which the way takes off."
+    )
+
+
+def explained(
+    failure: NotConverged, start: str, layout: Layout, supports: Supports
+) -> NotConverged:
+    """The failure with what is known of its cause."""
+    if isinstance(failure.__cause__, Impossible):
+        return failure
+    floating = [str(rod) for rod in range(len(layout.first)) if floats(layout, supports, rod)]
+    loose = ""
+    if floating:
+        what = (
+            f"rod {floating[0]} floats" if len(floating) == 1 else f"rods {_listed(floating)} float"
+        )
+        loose = f"But for contact, {what}: supports let it move as a whole, so hold it, or give a viscosity."
+    return NotConverged(" ".join(part for part in (str(failure), start, loose) if part))
+
+
+def floats(layout: Layout, supports: Supports, rod: int) -> bool:
+    """Whether supports let a rod move as a whole, in some direction or about some axis."""
+    unknowns = layout.unknowns(rod, slice(None))
+    vectors = layout.rest[unknowns].reshape(len(unknowns), -1, 3)
+    arms = vectors - vectors[:, :1].mean(axis=0) * (np.arange(vectors.shape[1]) == 0)[:, None]
+    modes = np.zeros((*vectors.shape, 6))
+    modes[:, 0, :, :3] = np.eye(3)
+    for axis, direction in enumerate(np.eye(3)):
+        modes[..., 3 + axis] = np.cross(direction, arms)
+    flat = modes.reshape(-1, 6) / np.array([1.0] * 3 + [np.abs(arms).max()] * 3)
+    rows = [flat[supports.is_held[unknowns].ravel()]]
+    for group in supports.groups:
+        rows += [_mean(flat, unknowns.ravel(), component) for component in group.T]
+    return bool(_rank(np.vstack(rows)) < _rank(flat))
+
+
+def _mean(modes: Floats, unknowns: Ints, component: Ints) -> Floats:
+    """How the mean of a group moves with the modes, shape (1, 6)."""
+    return np.asarray(modes[np.isin(unknowns, component)].sum(axis=0, keepdims=True))
+
+
+def _rank(rows: Floats) -> int:
+    return int(np.linalg.matrix_rank(rows, tol=1e-9)) if len(rows) else 0
+
+
+def _listed(names: list[str]) -> str:
+    """The first few of many names."""
+    most = 8  # of a message that is still read
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
