@@ -129,7 +129,7 @@ NB_MODULE(braidx_engine, m) {
           "radius"_a, "element_length"_a, "body"_a, "is_image"_a, "smooth"_a, "beyond"_a = 0,
           "group"_a = std::vector<int>{});
     m.def("make_skin", &skin_from_arrays, "facets"_a, "body"_a, "radius"_a, "group"_a, "rest"_a,
-          "dense"_a = false, "smooth"_a = true, "offset"_a = 0.0);
+          "dense"_a, "smooth"_a, "offset"_a);
     m.def(
         "make_surfaces",
         [](const std::vector<Tube>& tubes, const nb::list& skins) {

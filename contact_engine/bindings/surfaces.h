@@ -29,14 +29,19 @@ inline std::vector<Tube> make_tubes(const In<std::int64_t>& first_unknown,
     return tubes;
 }
 
-/// A skin from facets, shape (num_facets, nodes per facet), and rest positions in all unknowns.
+/// A skin from facets, shape (num_facets, nodes per facet), rest positions in all unknowns, and how
+/// far the surface is outside the nodes of each facet, shape (num_facets,) or (0,).
 inline Skin skin_from_arrays(const In<std::int64_t>& facets, int body, double radius, int group,
-                             const In<double>& rest, bool dense, bool smooth, double offset) {
+                             const In<double>& rest, bool dense, bool smooth,
+                             const In<double>& offset) {
     const auto nodes = facets.ndim() == 2 ? facets.shape(1) : 0;
     if (nodes != 3 && nodes != 4 && nodes != 6 && nodes != 9)
         throw nb::value_error("facets: give 3, 4, 6 or 9 nodes per facet, in an array of two axes");
+    if (offset.size() != 0 && offset.size() != facets.shape(0))
+        throw nb::value_error("offset: give one number per facet, or none");
     return make_skin(static_cast<FacetKind>(nodes), {facets.data(), facets.data() + facets.size()},
-                     body, radius, group, view(rest), dense, smooth, offset);
+                     body, radius, group, view(rest), dense, smooth,
+                     {offset.data(), offset.data() + offset.size()});
 }
 
 } // namespace braidx::bindings

@@ -1,6 +1,7 @@
 #include "skin_builder.h"
 
 #include "../parallel.h"
+#include "../surfaces/skin_edges.h"
 #include "rules.h"
 
 #include <algorithm>
@@ -100,8 +101,11 @@ void SkinBuilder::add_points(std::int32_t a, std::int32_t b, ContactElements& ou
         });
         if (!place || is_at_another_wall(onto, *place, point.position))
             continue;
-        const double share = share_of(mean_area(from.skin(), point.at.facet),
+        const double share = share_inside_edges(onto.skin(), place->at) *
+                             share_of(mean_area(from.skin(), point.at.facet),
                                       mean_area(onto.skin(), place->at.facet));
+        if (share == 0)
+            continue;
         out.push_back({.surface_a = a,
                        .surface_b = b,
                        .s_a = 0,
@@ -114,7 +118,7 @@ void SkinBuilder::add_points(std::int32_t a, std::int32_t b, ContactElements& ou
                        .facet_b = place->at.facet,
                        .xi_a = {point.at.u, point.at.v},
                        .xi_b = {place->at.u, place->at.v},
-                       .allowance = rest_overlap(a, k) - place->rise +
+                       .allowance = rest_overlap(a, k) - place->shift.dot(place->normal) +
                                     point.rise * point.normal.dot(place->normal)});
     }
 }
@@ -169,7 +173,7 @@ ContactElements SkinBuilder::tube(std::int32_t a, std::int32_t skin_b) const {
                        .stiffness = 0,
                        .facet_b = place->at.facet,
                        .xi_b = {place->at.u, place->at.v},
-                       .allowance = rest_overlap(a, k) + place->rise * normal.dot(place->normal)});
+                       .allowance = rest_overlap(a, k) + place->shift.dot(normal)});
     }
     return builder_.finished(std::move(out));
 }

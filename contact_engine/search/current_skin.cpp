@@ -1,5 +1,7 @@
 #include "current_skin.h"
 
+#include "../surfaces/skin_edges.h"
+
 #include <algorithm>
 
 namespace braidx {
@@ -8,6 +10,10 @@ namespace {
 /// How far facets of degree 2 may reach beyond the box of their nodes, as a share of its size: half
 /// of what the sum of |weights| exceeds one by, at most.
 constexpr double bulge = 0.34;
+
+/// Sine of the angle between normals from which on an edge has two sides: smooth edges have one,
+/// but for round-off.
+constexpr double sine_sharp = 0.1;
 
 } // namespace
 
@@ -53,8 +59,33 @@ SkinPlace CurrentSkin::place(std::int32_t facet, const Vec3& x) const {
     const auto at = closest_on_facet(*skin_, q_, facet, x);
     const auto weights = facet_weights(skin_->kind, at.u, at.v);
     const Vec3 position = combined(*skin_, q_, facet, weights.value);
-    return {at, position, smooth_normal(*skin_, nodal_, facet, weights), x - position,
-            rise(*skin_, facet, weights)};
+    const Vec3 normal = smooth_normal(*skin_, nodal_, facet, weights);
+    return {at, position, normal, x - position, rise(*skin_, facet, weights) * normal};
+}
+
+/// On a sharp edge the shift is that to the line where the shifted surfaces of both sides meet, or,
+/// in a corner, to the point where those of three do.
+void CurrentSkin::shift_edge(SkinPlace& place, const std::vector<std::int32_t>& facets,
+                             const Vec3& x) const {
+    if ((skin_->offset.empty() && skin_->bulge.empty()) || !is_on_edge(*skin_, place.at))
+        return;
+    std::vector<Vec3> basis = {place.normal}; // of the normals so far, orthonormal
+    for (const auto facet : facets) {
+        if (boxes_[static_cast<std::size_t>(facet)].distance_to(place.position) >
+            nearly_same * size_)
+            continue;
+        const auto side = this->place(facet, x);
+        if ((side.position - place.position).norm() > nearly_same * size_)
+            continue;
+        Vec3 across = side.normal;
+        for (const Vec3& known : basis)
+            across -= across.dot(known) * known;
+        if (basis.size() == 3 || across.norm() < sine_sharp)
+            continue;
+        place.shift += (side.shift.dot(side.normal) - place.shift.dot(side.normal)) /
+                       across.dot(side.normal) * across;
+        basis.push_back(across.normalized());
+    }
 }
 
 } // namespace braidx

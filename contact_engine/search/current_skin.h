@@ -14,9 +14,10 @@ namespace braidx {
 struct SkinPlace {
     FacetPoint at;
     Vec3 position;
-    Vec3 normal;                                         ///< smooth, out of the solid
-    Vec3 offset;                                         ///< x - position
-    double rise;                                         ///< of the surface above the facet, mm
+    Vec3 normal; ///< smooth, out of the solid
+    Vec3 offset; ///< x - position
+    Vec3 shift;  ///< from the facet to the surface, mm: `rise` along the normal; on a sharp edge to
+                 ///< where the surfaces of its sides meet
     double height() const { return offset.dot(normal); } ///< above the facet; negative: inside
 };
 
@@ -60,14 +61,15 @@ private:
     /// Fills box, boxes and size; returns the boxes within reach.
     std::vector<Box> make_boxes();
     SkinPlace place(std::int32_t facet, const Vec3& x) const;
+    void shift_edge(SkinPlace& place, const std::vector<std::int32_t>& facets, const Vec3& x) const;
 
     template <class Accept>
     std::optional<SkinPlace> closest_among(const std::vector<std::int32_t>& facets, const Vec3& x,
                                            const Accept& accept) const {
         std::optional<SkinPlace> best;
         double nearest = reach_;
+        const double same = nearly_same * size_;
         for (const auto facet : facets) {
-            const double same = 1e-9 * size_;
             if (boxes_[static_cast<std::size_t>(facet)].distance_to(x) > nearest + same)
                 continue;
             const auto found = place(facet, x);
@@ -80,8 +82,12 @@ private:
             best = found;
             nearest = std::min(nearest, distance);
         }
+        if (best)
+            shift_edge(*best, facets, x);
         return best;
     }
+
+    static constexpr double nearly_same = 1e-9; ///< distances that differ by round-off, over size_
 
     const Skin* skin_;
     Unknowns q_;

@@ -1,8 +1,9 @@
 #include "skin.h"
 
+#include "skin_edges.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <unordered_map>
 
@@ -58,32 +59,6 @@ void share_normals(Skin& skin, const std::vector<Vec3>& area) {
                 spread(spread, i, std::span(first, last));
             }
         first = last;
-    }
-}
-
-/// Distances of a place to the edges, in the order of the outline.
-std::array<double, 4> distances_to_edges(const Skin& skin, const FacetPoint& at) {
-    if (is_triangle(skin.kind))
-        return {at.v, 1 - at.u - at.v, at.u, 1};
-    return {at.v, 1 - at.u, 1 - at.v, at.u};
-}
-
-void find_rim(Skin& skin) {
-    const auto outline = facet_outline(skin.kind);
-    const auto vertices = [&](std::int32_t facet, std::size_t edge) {
-        return std::minmax({skin.unknown_of(facet, outline[edge]),
-                            skin.unknown_of(facet, outline[(edge + 1) % outline.size()])});
-    };
-    std::map<std::pair<std::int64_t, std::int64_t>, int> count;
-    for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet)
-        for (std::size_t edge = 0; edge < outline.size(); ++edge)
-            ++count[vertices(facet, edge)];
-    for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet) {
-        unsigned bits = 0;
-        for (std::size_t edge = 0; edge < outline.size(); ++edge)
-            if (count[vertices(facet, edge)] == 1)
-                bits |= 1u << edge;
-        skin.rim.push_back(static_cast<std::uint8_t>(bits));
     }
 }
 
@@ -147,15 +122,6 @@ std::vector<std::int32_t> facets_within(const Skin& skin, const FacetPoint& at, 
     return out;
 }
 
-bool is_on_rim(const Skin& skin, const FacetPoint& at) {
-    const auto distance = distances_to_edges(skin, at);
-    const unsigned rim = skin.rim[static_cast<std::size_t>(at.facet)];
-    for (std::size_t edge = 0; edge < distance.size(); ++edge)
-        if ((rim >> edge & 1u) != 0 && distance[edge] < 1e-9)
-            return true;
-    return false;
-}
-
 FacetPoint contact_point(const Skin& skin, std::int64_t number) {
     const auto per_facet = skin.points_per_facet();
     const auto& at = skin.quadrature()[static_cast<std::size_t>(number % per_facet)];
@@ -163,7 +129,7 @@ FacetPoint contact_point(const Skin& skin, std::int64_t number) {
 }
 
 Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
-               int group, Unknowns rest, bool dense, bool smooth, double offset) {
+               int group, Unknowns rest, bool dense, bool smooth, std::vector<double> offset) {
     Skin out;
     out.kind = kind;
     out.unknown = std::move(unknown);
@@ -171,7 +137,7 @@ Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, doub
     out.radius = radius;
     out.group = group;
     out.dense = dense;
-    out.offset = offset;
+    out.offset = std::move(offset);
     for (std::int32_t facet = 0; facet < out.num_facets(); ++facet)
         for (const auto& p : out.quadrature()) {
             const auto at = facet_geometry(out, rest, facet, facet_weights(kind, p.u, p.v));
@@ -181,7 +147,7 @@ Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, doub
     if (smooth && facet_degree(kind) == 1)
         find_bulges(out, rest);
     find_neighbours(out);
-    find_rim(out);
+    find_edges(out, rest);
     return out;
 }
 
@@ -227,7 +193,7 @@ Vec3 smooth_normal(const Skin& skin, const std::vector<Vec3>& nodal, std::int32_
 }
 
 double rise(const Skin& skin, std::int32_t facet, const FacetWeights& weights) {
-    double out = skin.offset;
+    double out = skin.offset.empty() ? 0 : skin.offset[static_cast<std::size_t>(facet)];
     if (skin.bulge.empty())
         return out;
     const auto count = static_cast<std::size_t>(skin.nodes_per_facet());

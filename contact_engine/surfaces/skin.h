@@ -19,9 +19,9 @@ struct Skin {
     bool dense = false; ///< more contact points per facet, see facet_quadrature
     /// How deep a particle may be inside before it counts as on the far side, mm.
     double radius = 1;
-    /// How far the surface is outside the nodes, mm. Nodes of a polygon with the area of a circle
-    /// lie outside that circle: negative.
-    double offset = 0;
+    /// How far the surface of each facet is outside its nodes, mm; empty: nowhere. Nodes of a
+    /// polygon with the area of a circle lie outside that circle: negative.
+    std::vector<double> offset;
     std::vector<double> area; ///< rest area that each contact point stands for, mm^2
     /// Of each flat facet, nodes x nodes: its form in the weights of a place is how far the smooth
     /// surface through the nodes is above the facet at rest, mm. Empty where facets are taken as
@@ -35,6 +35,9 @@ struct Skin {
     /// Edges of each facet, bit by bit along its outline, that no other facet shares: where the
     /// surface ends.
     std::vector<std::uint8_t> rim;
+    /// Likewise edges where the surface bends away sharply, and vertices where such edges of the
+    /// same smooth part of the surface end.
+    std::vector<std::uint8_t> sharp_edges, sharp_vertices;
 
     int nodes_per_facet() const { return num_facet_nodes(kind); }
     std::span<const QuadraturePoint> quadrature() const { return facet_quadrature(kind, dense); }
@@ -56,9 +59,6 @@ struct FacetPoint {
     double u, v;
 };
 
-/// Whether a place is on the rim of the surface.
-bool is_on_rim(const Skin& skin, const FacetPoint& at);
-
 /// The facet and coordinates of a contact point.
 FacetPoint contact_point(const Skin& skin, std::int64_t number);
 
@@ -66,7 +66,8 @@ FacetPoint contact_point(const Skin& skin, std::int64_t number);
 /// at less than 50 degrees are smooth there; flat ones stand for a smooth surface if it is
 /// `smooth`.
 Skin make_skin(FacetKind kind, std::vector<std::int64_t> unknown, int body, double radius,
-               int group, Unknowns rest, bool dense = false, bool smooth = true, double offset = 0);
+               int group, Unknowns rest, bool dense = false, bool smooth = true,
+               std::vector<double> offset = {});
 
 /// The facet of a place, and those that a particle may move onto when its coordinates change by up
 /// to `reach`.
@@ -94,7 +95,7 @@ Vec3 smooth_normal(const Skin& skin, const std::vector<Vec3>& nodal, std::int32_
                    const FacetWeights& weights);
 
 /// Height of the surface that a skin stands for above a place on a facet, along its normal, mm:
-/// the skin's offset, and on flat facets the bulge, half of the weighted sum of (x_i - x) . n_i
+/// the facet's offset, and on flat facets the bulge, half of the weighted sum of (x_i - x) . n_i
 /// with the nodes' normals n_i. That is exact for spheres and cylinders up to the square of the
 /// sag, zero at the nodes, and continuous across smooth edges. It is that of the shape at rest,
 /// which facets carry along: of the present shape it would change with every force.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,8 +27,9 @@ class SkinLayout:
         radius: How deep a particle may be inside before it counts as on the far side of the solid, about half its
             thickness, mm, shape (num_skins,).
         smooth: Whether flat facets stand for the smooth surface through their nodes, shape (num_skins,) or one for all.
-        offset: How far the surface is outside the nodes, mm, shape (num_skins,) or one for all: negative where nodes
-            lie outside the surface that they stand for, as those of a polygon with the area of a circle.
+        offset: How far the surface is outside the nodes, mm, one number for all, or per skin a number or an array of
+            shape (num_facets,): negative where nodes lie outside the surface that they stand for, as those of a
+            polygon with the area of a circle.
         dense: Whether facets have more contact points: pressure between facets that do not match gets more even.
     """
 
@@ -36,7 +38,7 @@ class SkinLayout:
     group: Ints
     radius: Floats
     smooth: npt.NDArray[np.bool_] | bool = True
-    offset: Floats | float = 0.0
+    offset: Sequence[Floats | float] | Floats | float = 0.0
     dense: bool = False
 
 
@@ -71,6 +73,7 @@ def _engine_skin(number: int, layout: SkinLayout, rest: Floats) -> Any:
             f"facets of skin {number} name unknowns {facets.min()} to {facets.max()}: "
             f"rest has {len(rest)}, give numbers of the first of three"
         )
+    offset = layout.offset if isinstance(layout.offset, float) else layout.offset[number]
     return engine.make_skin(
         facets,
         int(layout.body[number]),
@@ -78,8 +81,6 @@ def _engine_skin(number: int, layout: SkinLayout, rest: Floats) -> Any:
         int(layout.group[number]),
         rest,
         layout.dense,
-        *(
-            np.broadcast_to(value, len(layout.facets))[number].item()
-            for value in (layout.smooth, layout.offset)
-        ),
+        np.broadcast_to(layout.smooth, len(layout.facets))[number].item(),
+        np.ascontiguousarray(np.broadcast_to(offset, len(facets)), dtype=float),
     )

@@ -7,7 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..bodies.section import BeamSection
-from .reference import QUADS, FloatArray, IntArray, ReferenceCell
+from .reference import QUAD_EDGES, QUADS, FloatArray, IntArray, ReferenceCell
+
+SMOOTH = 50.0  # degrees between facets up to which contact takes them for one smooth surface
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,14 @@ class SectionMesh:
     def outer_radius(self) -> float:
         """Distance from the centre line of the farthest nodes, mm."""
         return float(np.linalg.norm(self.points, axis=1).max())
+
+    @property
+    def is_round(self) -> bool:
+        """Whether the boundary stands for a circle: vertices on one, and edges that meet at less than 50 degrees."""
+        quad, edge = self.outer.T
+        vertices = self.points[self.quads[quad[:, None], QUAD_EDGES[edge]]]
+        distance = np.linalg.norm(vertices, axis=-1)
+        return len(quad) * SMOOTH > 360.0 and bool(np.ptp(distance) < 1e-6 * self.outer_radius)
 
     def moments(self) -> tuple[float, float, float]:
         """Area (mm^2) and the integrals of xi1^2 and xi2^2 (mm^4) of the mesh: of the polygon, not of the circle."""

@@ -153,9 +153,9 @@ class Solid:
 
     @property
     def offset(self) -> float:
-        """How far the surface is outside the outermost nodes, mm (negative where polygons stand for a circle)."""
+        """How far the surface is outside the outer nodes, mm (negative where polygons stand for a circle)."""
         assert self.section is not None
-        return min(0.0, self.radius - self.section.outer_radius)
+        return min(0.0, self.radius - self.section.outer_radius) if self.section.is_round else 0.0
 
     @property
     def constrained_stiffness(self) -> float:

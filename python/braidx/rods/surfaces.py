@@ -13,6 +13,8 @@ from ..contact.tubes import TubeLayout, no_tubes
 from ..system.terms import Ints
 from .rod import Rod, Solid
 
+SURFACES = ("lateral", "start", "end", "inner")  # of a solid, all that bound it
+
 
 def tubes_of(
     rods: Sequence[Rod],
@@ -44,15 +46,14 @@ def skins_of(
         number, part = int(place[i, 0]), int(place[i, 1])
         body = bodies[number]
         if isinstance(rod, Solid) and isinstance(body, SolidBody):
-            facets.append(first_body[number] + 3 * body.facet_nodes("lateral", part))
+            nodes = [body.facet_nodes(tag, part) for tag in SURFACES if tag in body.mesh.facets]
+            facets.append(first_body[number] + 3 * np.concatenate(nodes))
             radius.append(rod.radius)
-            offset.append(rod.offset)
+            offset.append(np.where(np.arange(len(facets[-1])) < len(nodes[0]), rod.offset, 0.0))
     ones = np.ones(len(facets), dtype=np.int64)
     if not facets:
         return None
-    return SkinLayout(
-        tuple(facets), 0 * ones, -ones, np.array(radius, dtype=float), offset=np.array(offset)
-    )
+    return SkinLayout(tuple(facets), 0 * ones, -ones, np.array(radius, dtype=float), offset=offset)
 
 
 def body_tubes(body: CurveBody, radius: npt.ArrayLike, first_unknown: int = 0) -> TubeLayout:

@@ -138,6 +138,65 @@ TEST_CASE("a tube rolls over the edge of a box without a jump of its normal", "[
     CHECK((last + Vec3::UnitX()).norm() < 0.01);
 }
 
+TEST_CASE("the surface goes round an edge without a jump where it is off the nodes of one side",
+          "[skin_pairing]") {
+    Rods box;
+    add_box(box, FacetKind::square4, 2, {0, -2, -1}, {1, 2, 0});
+    auto& skin = box.skins[0];
+    const double below = 0.01;
+    for (std::int32_t facet = 0; facet < skin.num_facets(); ++facet) {
+        const auto weights = facet_weights(skin.kind, 0.5, 0.5);
+        const bool is_top = combined(skin, box.q, facet, weights.value)[2] > -1e-9;
+        skin.offset.push_back(is_top ? -below : 0);
+    }
+    const Vec3 edge(1, 0, -below); // where the surface of the top, lower than its nodes, ends
+    for (int step = 0; step <= 90; ++step) {
+        const double angle = step * std::numbers::pi / 180;
+        const Vec3 centre = edge + 0.49 * Vec3(std::sin(angle), 0, std::cos(angle));
+        Rods now{{}, box.q, box.skins};
+        now.add_straight(cable, 1, 0.5, centre - 0.4 * Vec3::UnitY(), centre + 0.4 * Vec3::UnitY());
+        const auto elements = pair_up(now);
+        REQUIRE(elements.size() == 1);
+        // 0.01 deep but for the square of the angle between the ways to both edges, 0.01 / 0.49.
+        CHECK(std::abs(gap(now, elements[0]) + 0.01) < 1.1e-4);
+    }
+}
+
+TEST_CASE("points slide off a face without a jump, and no point counts beside it",
+          "[skin_pairing]") {
+    for (const auto kind : all_facets) {
+        Rods rods;
+        add_box(rods, kind, 2, {0, 0, -1}, {2, 2, 0});
+        const auto first = rods.q.size();
+        add_box(rods, kind, 2, {0, 0, -0.01}, {2, 2, 1});
+        const auto pressed_area = [&](double along) {
+            Rods now = rods;
+            for (auto i = first; i < now.q.size(); i += 3)
+                now.q[i] += along;
+            double area = 0;
+            for (const auto& e : pair_up(now))
+                if (std::abs(e.normal[2]) > 0.5) {
+                    CHECK(std::abs(gap(now, e) + 0.01) < 1e-12);
+                    area += e.weight;
+                }
+            return area;
+        };
+        CHECK(std::abs(pressed_area(0) - 4) < 1e-12);
+        // The largest change in a step halves with the step: no jump is left.
+        double largest[2] = {0, 0};
+        for (const int finer : {1, 2}) {
+            const double step = 0.004 / finer;
+            for (int i = 0; i * step < 2.1; ++i)
+                largest[finer - 1] =
+                    std::max(largest[finer - 1],
+                             std::abs(pressed_area((i + 1) * step) - pressed_area(i * step)));
+        }
+        CHECK(largest[1] < 0.55 * largest[0]);
+        CHECK(std::abs(pressed_area(0.6) - 2.8) < 0.4);
+        CHECK(pressed_area(2) == 0);
+    }
+}
+
 TEST_CASE("a tube whose centre is in the solid is pushed out", "[skin_pairing]") {
     Rods rods = tube_on_sheet(cable, FacetKind::square9, 0.6); // radius 0.5
     const auto elements = pair_up(rods);

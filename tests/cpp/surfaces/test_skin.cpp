@@ -128,7 +128,7 @@ TEST_CASE("a skin's offset lifts its surface everywhere, plane or of degree 2", 
         Rods rods;
         add_rectangle(rods, kind, {2, 2}, {0, 0, 0}, {2, 0, 0}, {0, 2, 0});
         Skin& skin = rods.skins[0];
-        skin.offset = -0.07;
+        skin.offset.assign(static_cast<std::size_t>(skin.num_facets()), -0.07);
         for (std::int64_t k = 0; k < skin.num_points(); ++k) {
             const auto at = contact_point(skin, k);
             const auto weights = facet_weights(kind, at.u, at.v);
