@@ -32,7 +32,9 @@ class HeldEnds:
     def __init__(
         self, layout: Layout, contact: Contact, is_held: np.ndarray, penetration: float | None
     ) -> None:
-        self._contact, self._radius = contact, layout.radius
+        self._contact, self._radius = contact, layout.radius.copy()
+        # A solid is held at its flat ends, which others may touch: only the centres of the faces count.
+        self._radius[list(layout.sections)] = 0.0
         self._penetration = np.inf if penetration is None else penetration
         pieces = [_pieces(layout, rod, is_held) for rod in range(len(layout.first))]
         self._rods = np.repeat(np.arange(len(pieces)), [len(piece) for piece in pieces])

@@ -70,6 +70,8 @@ class Chords:
         first: Node that each chord starts at, the next one being its end, shape (num_chords,).
         rod: Of each chord, shape (num_chords,).
         radius: Of each chord's rod as contact sees it, mm, shape (num_chords,).
+        kept: Where on each chord, from 0 to 1, what counts begins and ends, shape (num_chords, 2): solids end in flat
+            faces, which others touch near the centre line, and count from a radius away from them.
         self_exclusion: Radii along a rod within which it does not meet itself.
         others: Whether a rod may meet others.
     """
@@ -78,6 +80,7 @@ class Chords:
     first: Ints
     rod: Ints
     radius: Floats
+    kept: Floats
     self_exclusion: float
     others: bool
 
@@ -92,7 +95,8 @@ class Chords:
         radius[layout.surface_rods[: len(contact.layout.radius)]] = contact.layout.radius
         exclusion = float(contact.pairing.search.self_exclusion)
         others = contact.layout.group is None
-        return cls(positions, first, rod, radius[rod], exclusion, others)
+        kept = np.concatenate([_kept(layout, rod) for rod in rods])
+        return cls(positions, first, rod, radius[rod], kept, exclusion, others)
 
     def longest(self, state: Floats) -> float:
         """Length of the longest chord, mm."""
@@ -112,14 +116,16 @@ class Chords:
         may_move = np.zeros(len(self.positions)) if motion is None else motion
         ways = np.maximum(may_move[self.first], may_move[self.first + 1])
         nodes = state[self.positions]
-        begin, end = nodes[self.first], nodes[self.first + 1]
-        length = np.linalg.norm(end - begin, axis=1)
+        begin, way = nodes[self.first], nodes[self.first + 1] - nodes[self.first]
+        length = np.linalg.norm(way, axis=1)
+        begin, end = (begin + at[:, None] * way for at in self.kept.T)
         middle = (begin + end) / 2.0
         farthest = 2.0 * (near * self.radius.max() + ways.max()) + length.max()
         i, j = cKDTree(middle).query_pairs(farthest, output_type="ndarray").T
         limit = near * (self.radius[i] + self.radius[j]) + ways[i] + ways[j]
         reach = limit + (length[i] + length[j]) / 2.0
         asked = self._may_meet(i, j, length)
+        asked &= (self.kept[i, 0] < self.kept[i, 1]) & (self.kept[j, 0] < self.kept[j, 1])
         asked &= np.linalg.norm(middle[i] - middle[j], axis=1) <= reach
         i, j = i[asked], j[asked]
         distances = chord_distances(begin[i], end[i], begin[j], end[j])
@@ -131,3 +137,14 @@ class Chords:
         end = np.cumsum(length)
         apart = end[j] - length[j] - end[i] > self.self_exclusion * self.radius[i]
         return np.where(self.rod[i] == self.rod[j], apart, self.others)
+
+
+def _kept(layout: Layout, rod: int) -> Floats:
+    """Where what counts of each chord of a rod begins and ends, shape (num_nodes - 1, 2)."""
+    nodes = layout.rest[layout.unknowns(rod, slice(None))[:, :3]]
+    length = np.linalg.norm(np.diff(nodes, axis=0), axis=1)
+    arc = np.append(0.0, length.cumsum())
+    face = layout.radius[rod] if rod in layout.sections else 0.0
+    begin = (face - arc[:-1]) / length
+    end = (arc[-1] - face - arc[:-1]) / length
+    return np.clip(np.stack([begin, end], axis=1), 0.0, 1.0)
