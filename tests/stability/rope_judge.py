@@ -274,7 +274,7 @@ class RopeRun:
 
     def stabilisation(self, found: Found) -> float:
         """Work of the stabilisation since the rope came to rest, mJ."""
-        share = float(self.rows["stabilisation work share (-)"][found.row])
+        share = float(self.rows["stabilisation residual share (-)"][found.row])
         return share * self.elastic(found)
 
 

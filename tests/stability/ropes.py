@@ -181,7 +181,7 @@ def _of_bent(scene: Scene, folder: Path) -> dict[str, float]:
     found["force"] = left.force_error()
     found["penetration"] = float(rows["max penetration / radius (-)"][left.ways].max())
     # Of the largest energy until then: what little there is of it at first says nothing.
-    found["held"] = float(rows["stabilisation work share (-)"][left.ways][-1])
+    found["held"] = float(rows["stabilisation residual share (-)"][left.ways][-1])
     if isinstance(scene.steps[-1], Bend) and left.found[-1].name == "bent":
         found["energy"] = left.energy_error()
     return found

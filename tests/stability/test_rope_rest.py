@@ -50,7 +50,7 @@ def test_ropes_at_rest_do_not_creep(tmp_path: Path) -> None:
     create_folder(tmp_path / "rope", scene)
     assert not computed(scene, tmp_path / "rope")
     rows = history.read(tmp_path / "rope" / "history.csv")
-    assert rows["stabilisation work share (-)"][-1] < 1e-3
+    assert rows["stabilisation residual share (-)"][-1] < 1e-3
 
 
 def test_penalties_that_are_no_match_for_the_tension_are_raised(tmp_path: Path) -> None:

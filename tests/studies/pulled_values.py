@@ -32,7 +32,7 @@ SUMMARY = {  # results of summary.json by column
     "friction work (mJ)": "friction_work",
     WRONG_SIDE: "wrong_side_crossings",
     PENETRATION: "max_penetration_over_radius",
-    HELD: "stabilisation_work_share",
+    HELD: "stabilisation_residual_share",
 }
 
 
@@ -62,7 +62,12 @@ def curve_of(folder: Path) -> Curve:
     columns = history.read(folder / "history.csv")
     step = np.array([str(name).split()[-1] for name in columns["step"]])
     first = int(np.flatnonzero(step == "settle")[-1])
-    names = ("rope strain (-)", "force (kN)", "friction work (mJ)", "stabilisation work share (-)")
+    names = (
+        "rope strain (-)",
+        "force (kN)",
+        "friction work (mJ)",
+        "stabilisation residual share (-)",
+    )
     values = [np.asarray(columns[name][first:], dtype=float) for name in names]
     number = np.array([float(str(name).split()[0]) for name in columns["step"][first:]])
     return Curve(*values, number)

@@ -100,11 +100,11 @@ def results_table(summary: dict[str, Any]) -> Table:
     """The results of a run beside what was expected."""
     state = "converged" if summary["converged"] else "not converged"
     table = Table(title=escape(f"{summary['scene']}: {state}"), title_justify="left")
-    for heading in ("result", "value", "unit", "reference", "met", "source"):
+    for heading in ("result", "value", "unit", "reference", "met", "state", "source"):
         table.add_column(
             heading,
             justify="right" if heading in ("value", "reference") else "left",
-            no_wrap=heading in ("result", "value"),  # where lines are short the source wraps
+            no_wrap=heading in ("result", "value"),  # where lines are short the others wrap
         )
     for name, result in summary["results"].items():
         met = {True: "yes", False: "[bold red]no", None: ""}[result["met"]]
@@ -113,7 +113,8 @@ def results_table(summary: dict[str, Any]) -> Table:
             percent = f"{100.0 * result['tolerance']:g} %"
             reference += f" ± {percent if result['reference'] else _number(result['tolerance'])}"
         numbers = (_number(result["value"]), result["unit"], reference)
-        table.add_row(escape(name), *numbers, met, escape(result["source"] or ""))
+        of, source = (escape(result.get(key) or "") for key in ("state", "source"))
+        table.add_row(escape(name), *numbers, met, of, source)
     return table
 
 

@@ -28,8 +28,10 @@ class ContactTable:
     gap: Array  # (m,), mm
     normal_force: Array  # (m,), N, positive in compression
     friction_force: Array  # (m, 3), N, on b
-    slip: Array  # (m,), mm, accumulated
-    work: Array  # (m,), mJ, dissipated by friction
+    reversible_slip: (
+        Array  # (m,), mm: the elastic part of the slip, which the friction force follows
+    )
+    work: Array  # (m,), mJ, dissipated by friction by this element; contacts that have ended count in none
     yarn_a: Integers  # (m,); -1 where a is the core
     yarn_b: Integers  # (m,); -1 where b is the core or the sheave
     kind: Integers = field(default_factory=lambda: np.empty(0, dtype=np.int64))  # (m,), of KINDS

@@ -22,12 +22,13 @@ COLUMNS = (
     "seconds",
     "step",
     "max penetration / radius (-)",
-    "stabilisation work share (-)",
+    "stabilisation residual share (-)",
     "linear solves",
     "contact updates",
     "cuts",
     "moment (N mm)",
     "travel (mm)",
+    "stabilisation work share (-)",
 )
 
 
@@ -50,12 +51,17 @@ class HistoryRow:
     seconds: float
     step: str
     penetration_over_radius: float  # -
-    stabilisation_share: float  # -, of the internal energy
+    stabilisation_residual_share: (
+        float  # -, work of it still in accepted states, over the internal energy
+    )
     linear_solves: int = 0
     contact_updates: int = 0
     cuts: int = 0
     moment: float | None = None  # N mm, about the axis, on the last section
     travel: float | None = None  # mm, of the ends of a bent rope towards the sheave
+    stabilisation_work_share: float = (
+        0.0  # -, all of its work since the rope was formed, over the internal energy
+    )
 
 
 class History:

@@ -176,7 +176,7 @@ def write_sections(snapshot: Snapshot, path: Path) -> None:
 
 
 def write_contacts(snapshot: Snapshot, path: Path) -> None:
-    """Contact elements as points with gap, forces, slip and work.
+    """Contact elements as points with gap, forces, reversible slip and friction work.
 
     Raises:
         ValueError: If the snapshot has no contacts.
@@ -189,7 +189,7 @@ def write_contacts(snapshot: Snapshot, path: Path) -> None:
         "gap (mm)": table.gap,
         "normal force (N)": table.normal_force,
         "friction force (N)": table.friction_force,
-        "slip (mm)": table.slip,
+        "reversible slip (mm)": table.reversible_slip,
         "friction work (mJ)": table.work,
         "yarn a (-)": table.yarn_a,
         "yarn b (-)": table.yarn_b,

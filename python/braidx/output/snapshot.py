@@ -70,6 +70,23 @@ class Snapshot:
     def num_yarns(self) -> int:
         return len(self.centre_lines)
 
+    @property
+    def state(self) -> str:
+        """What titles and results call the state: its name, and the force on the rope where that is known.
+
+        A state that is named by the force that was asked for is called by the force that there is.
+        """
+        if self.force is None:
+            return self.name
+        force = f"{self.force:.4g} kN"
+        return force if self.name.endswith("kN") else f"{self.name}, {force}"
+
+    @property
+    def is_pulled(self) -> bool:
+        """Whether a pull of the straight rope ended in this state: it is named by its force or strain."""
+        named = self.name.endswith(("kN", "strain"))
+        return named and self.axial_stress is not None and self.sheave is None
+
 
 def repeated(snapshot: Snapshot, times: int) -> Snapshot:
     """A sample laid end to end along the axis, so many times."""

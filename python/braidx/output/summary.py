@@ -36,7 +36,7 @@ class Reference:
 
 @dataclass(frozen=True)
 class Result:
-    """One entry of `results`; `met` is None where nothing was expected."""
+    """One entry of `results`; `met` is None where nothing was expected. `state` says of which state it is."""
 
     value: float | int | None
     unit: str
@@ -44,6 +44,7 @@ class Result:
     source: str | None = None
     tolerance: float | None = None
     met: bool | None = None
+    state: str | None = None
 
 
 @dataclass
@@ -102,18 +103,20 @@ class Summary:
         for name in self._expected:
             self.set(name, None, "")
 
-    def set(self, name: str, value: float | None, unit: str) -> Result:
-        """Set a result in its unit ("-" for a ratio, "count" for a number of things)."""
+    def set(self, name: str, value: float | None, unit: str, state: str | None = None) -> Result:
+        """Set a result in its unit ("-" for a ratio, "count" for a number of things), of a named state."""
         number: float | int | None = None
         if value is not None and math.isfinite(value):
             number = int(value) if unit == "count" else float(value)
         expected = self._expected.get(name)
         if expected is None:
-            result = Result(number, unit)
+            result = Result(number, unit, state=state)
         else:
             tolerance = expected.tolerance
             met = None if tolerance is None else is_met(number, expected.reference, tolerance)
-            result = Result(number, unit, expected.reference, expected.source, tolerance, met)
+            result = Result(
+                number, unit, expected.reference, expected.source, tolerance, met, state
+            )
         self.results[name] = result
         return result
 

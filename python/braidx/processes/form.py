@@ -142,6 +142,7 @@ class Former:
             rest_tension=self.model.tension(increment.q),
             contacts=self.model.contact.arrays(),
             progress=dict(number),
+            friction_work=self.state.friction_work + self.model.copies * increment.friction_work,
         )
         every = max(1, self.step.increments // (2 * SNAPSHOTS))
         name = f"forming {number['done']:.0f}" if number["done"] % every == 0 else None

@@ -8,14 +8,7 @@ from contextlib import suppress
 import numpy as np
 
 from ..geometry import Rope
-from ..output.measures import (
-    circumscribed_diameter,
-    linear_fit,
-    mean_diameter,
-    outer_diameter,
-    outline_diameter,
-    yarn_stress,
-)
+from ..output.measures import linear_fit, outer_diameter, yarn_stress
 from ..output.snapshot import Snapshot
 from ..scene import Pull, Scene
 
@@ -24,10 +17,6 @@ STATE_RESULTS = {
     "efficiency": "-",
     "outer_diameter_formed": "mm",
     "outer_diameter_loaded": "mm",
-    "circumscribed_diameter_formed": "mm",
-    "circumscribed_diameter_loaded": "mm",
-    "outline_diameter_formed": "mm",
-    "outline_diameter_loaded": "mm",
     "max_penetration_over_radius": "-",
     "wrong_side_crossings": "count",
     "yarn_stress_mean": "MPa",
@@ -36,6 +25,7 @@ STATE_RESULTS = {
     "yarn_stress_max": "MPa",
     "friction_work": "mJ",
     "stabilisation_work_share": "-",
+    "stabilisation_residual_share": "-",
     "relative_displacement": "mm",
     "relative_displacement_max": "mm",
     "crossing_points": "count",
@@ -53,6 +43,17 @@ STATE_RESULTS = {
     "heating_power": "W",
 }
 
+# Of results of a whole run: which states they are of.
+OF_THE_RUN = {
+    "rope_axial_stiffness": "first loading, from 50 to 100 % of the largest force",
+    "efficiency": "first loading, from 50 to 100 % of the largest force",
+    "max_penetration_over_radius": "largest of all states after forming",
+    "friction_work": "end of the run, counted from its start",
+    "friction_work_per_cycle": "last whole cycle",
+    "stabilisation_work_share": "end of the run, counted from the formed rope",
+    "stabilisation_residual_share": "largest of all states reported",
+}
+
 ON_THE_WAY = ("form", "settle", "bend", "straighten", "bend_cycles")  # steps whose end counts
 
 FIRST_PULL = tuple(n for n in STATE_RESULTS if n.startswith("yarn_stress") or n.endswith("_loaded"))
@@ -62,11 +63,11 @@ def state_results(picture: Snapshot, wrong: int, forming: bool) -> dict[str, flo
     """Results of a state worth a picture; stresses and loaded diameter are those of the first pull."""
     name, results = picture.name, {"wrong_side_crossings": float(wrong)}
     if forming and name == "formed":
-        results |= _diameters(picture, "formed")
-    if picture.axial_stress is not None and name.endswith(("kN", "strain")):
+        results["outer_diameter_formed"] = outer_diameter(picture)
+    if picture.is_pulled:
         stress = yarn_stress(picture)
         results |= {
-            **_diameters(picture, "loaded"),
+            "outer_diameter_loaded": outer_diameter(picture),
             "yarn_stress_mean": stress.mean,
             "yarn_stress_std": stress.std,
             "yarn_stress_min": stress.min,
@@ -75,16 +76,8 @@ def state_results(picture: Snapshot, wrong: int, forming: bool) -> dict[str, flo
     return results
 
 
-def _diameters(picture: Snapshot, when: str) -> dict[str, float]:
-    return {
-        f"outer_diameter_{when}": outer_diameter(picture),
-        f"circumscribed_diameter_{when}": mean_diameter(circumscribed_diameter, picture),
-        f"outline_diameter_{when}": mean_diameter(outline_diameter, picture),
-    }
-
-
 def final_results(scene: Scene, rope: Rope, rows: Mapping[str, np.ndarray]) -> dict[str, float]:
-    """Results of the whole history: stiffness on the linear part, worst penetration and stabilisation.
+    """Results of the whole history: stiffness on the linear part, deepest penetration, stabilisation.
 
     Forming is a way and not a result: of it only the last increment counts; coming to rest likewise.
     """
@@ -92,7 +85,7 @@ def final_results(scene: Scene, rope: Rope, rows: Mapping[str, np.ndarray]) -> d
     step = np.array([str(s) for s in rows["step"]])
     for name, column, ways in (
         ("max_penetration_over_radius", "max penetration / radius (-)", ("form",)),
-        ("stabilisation_work_share", "stabilisation work share (-)", ON_THE_WAY),
+        ("stabilisation_residual_share", "stabilisation residual share (-)", ON_THE_WAY),
     ):
         reported = np.ones(len(step), dtype=bool)
         for way in ways:
@@ -100,6 +93,8 @@ def final_results(scene: Scene, rope: Rope, rows: Mapping[str, np.ndarray]) -> d
             reported[passed[:-1]] = False
         if reported.any():
             results[name] = float(rows[column][reported].astype(float).max())
+    if len(step):
+        results["stabilisation_work_share"] = float(rows["stabilisation work share (-)"][-1])
     pulled = np.array(
         [isinstance(scene.steps[int(s.split()[0]) - 1], Pull) for s in step], dtype=bool
     )

@@ -102,7 +102,7 @@ class Puller:
     def held_share(self, increment: Increment) -> float:
         """Work of the stabilisation over the internal energy."""
         energy = self.model.internal_energy(increment.q)
-        return increment.stabilisation_work / max(energy, LEAST_ENERGY)
+        return increment.stabilisation_residual / max(energy, LEAST_ENERGY)
 
     def calm(self, iterations: int) -> None:
         """More stabilisation for a rope that is found with pains, less, and more way to go, for one found with ease."""
@@ -155,6 +155,7 @@ class Puller:
                     held=True,
                     iterations=found.iterations + last.iterations,
                     linear_solves=found.linear_solves + last.linear_solves,
+                    stabilisation_work=found.stabilisation_work + last.stabilisation_work,
                     friction_work=found.friction_work + last.friction_work,
                 )
             raise Diverged("the rope does not come to rest", found.iterations, found.linear_solves)
@@ -262,7 +263,9 @@ class Puller:
                 "stuck": max(before.get("stuck", 0.0), float(increment.held)),
             },
             stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
-            friction_work=self.state.friction_work + increment.friction_work,
+            stabilisation_residual=self.state.stabilisation_residual
+            + increment.stabilisation_residual,
+            friction_work=self.state.friction_work + self.model.copies * increment.friction_work,
         )
 
     def _give_up(self, strain: float, failure: Diverged) -> NotConverged:

@@ -20,7 +20,7 @@ from ..output.summary import PhaseCost, Summary, peak_memory_MB
 from ..scene import Scene, Step, followed
 from . import state as checkpoint
 from .bending.aftermath import after_bending
-from .measurements import FIRST_PULL, STATE_RESULTS, final_results
+from .measurements import FIRST_PULL, OF_THE_RUN, STATE_RESULTS, final_results
 from .recorded import RecordedModel
 from .outcome import NotConverged, Outcome
 from .state import State
@@ -29,7 +29,8 @@ SNAPSHOTS, STATES = "snapshots", "states"
 HELD = (
     0.05  # stabilisation's work over the energy above which results are those of its viscosity, too
 )
-SHARE = "stabilisation_work_share"
+SHARE = "stabilisation_residual_share"
+STATES_OF = "states"  # entry of a checkpoint's results: which state each is of
 WEIGHTS = {"form": 4.0, "settle": 1.0, "pull": 4.0, "hold": 1.0, "cycle": 6.0}
 
 
@@ -46,6 +47,7 @@ class Recorder:
             if resumed
             else {}
         )
+        self._states: dict[str, str] = dict(resumed.results.get(STATES_OF, {})) if resumed else {}
         self._costs: Mapping[str, PhaseCost] = resumed.costs if resumed else {}
         self._unknowns = self._elements = 0
         self._threads = 1
@@ -82,18 +84,22 @@ class Recorder:
         self._elements = max(self._elements, increment.contact_elements)
         # A rope that is straight or slack again has hardly any energy left: the most that it had counts.
         energy = state.progress.get("energy") or model.internal_energy(state.q)
-        share = state.stabilisation_work / energy if energy > 0 and not state.forms else 0.0
+        counts = energy > 0 and not state.forms
+        residual = state.stabilisation_residual / energy if counts else 0.0
+        work = state.stabilisation_work / energy if counts else 0.0
         name = outcome.snapshot or step.kind
         picture = None
         if self._wanted(outcome):
             picture = replace(model.picture(state, name), force=outcome.force / 1e3)
-        friction_work = model.copies * state.friction_work
-        self._results["friction_work"] = friction_work
+        self._results["friction_work"] = state.friction_work
         if outcome.snapshot and picture is not None:
             found = model.results(state, picture)
-            first = {name: self._results[name] for name in FIRST_PULL if name in self._results}
-            self._results |= found | first  # of several pulls the first one counts
+            kept = [name for name in FIRST_PULL if name in self._results]
+            found = {name: value for name, value in found.items() if name not in kept}
+            self._results |= found  # of several pulls the first one counts
+            self._states |= dict.fromkeys(found, picture.state)
         state.results.update(self._results)
+        state.results[STATES_OF] = dict(self._states)
         self._costs = state.costs
         self.checkpoint(state)
         if not self.first:
@@ -105,16 +111,17 @@ class Recorder:
             outcome.cost[0],
             increment.contact_elements,
             increment.penetration,
-            friction_work,
+            state.friction_work,
             seconds,
             f"{state.step + 1} {step.kind}",
             increment.penetration / float(self.rope.radius.min()),
-            share,
+            residual,
             outcome.cost[1],
             increment.updates,
             outcome.cuts,
             outcome.moment,
             outcome.travel,
+            work,
         )
         self._history.append(row)
         self._progress.increment(row, outcome.share)
@@ -166,7 +173,8 @@ class Recorder:
         values = {**self._results, **final_results(self.scene, self.rope, rows)}
         for name, unit in STATE_RESULTS.items():
             if name in values or name in self.scene.expected:
-                summary.set(name, values.get(name), unit)
+                of = OF_THE_RUN.get(name) or self._states.get(name)
+                summary.set(name, values.get(name), unit, of)
         cost = summary.cost
         cost.phases = dict(self._costs)
         cost.peak_memory_MB = memory
@@ -191,7 +199,8 @@ class Recorder:
 
 def _held(share: float) -> str:
     return (
-        f"the stabilisation did {100.0 * share:.0f} % as much work as there was energy: history.csv tells from which "
+        f"the stabilisation still did {100.0 * share:.0f} % as much work as there was energy in the states found: "
+        "history.csv tells from which "
         "increment on results are not to be trusted; try more increments of the steps, or a lower "
         "solver.viscosity and solver.director_viscosity"
     )

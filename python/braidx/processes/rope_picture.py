@@ -80,5 +80,5 @@ def contact_columns(results: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
     return {
         **{name: results[name] for name in same},
         "friction_force": -results["friction_force"],
-        "slip": np.linalg.norm(results["slip"], axis=1),
+        "reversible_slip": np.linalg.norm(results["slip"], axis=1),
     }

@@ -76,7 +76,7 @@ class Settler:
         puller.state = replace(
             puller.state,
             # On the way to rest the stabilisation works as it should: what counts is what it still does there.
-            stabilisation_work=attempt.increment.stabilisation_work,
+            stabilisation_residual=attempt.increment.stabilisation_residual,
             progress={**puller.state.progress, **number, "calming": puller.calming},
         )
         if self.finished and number["held"] and not puller.is_at_rest(attempt.increment):

@@ -66,6 +66,7 @@ def in_own_model(scene: Scene, state: State, force: float = 0.0, axial_force: fl
         rest_tension=scale * state.rest_tension,
         contacts=contacts,
         stabilisation_work=0.0,
+        stabilisation_residual=0.0,
         progress={},
     )
 

@@ -41,8 +41,10 @@ class State:
         increment: Increments so far, all steps.
         results: Results collected so far.
         costs: Cost per phase so far.
-        stabilisation_work: Work the stabilisation has taken since the reference state was set, mJ.
-        friction_work: Work dissipated by friction since the start of the run, mJ.
+        stabilisation_work: Work that the stabilisation took since the reference state was set, mJ.
+        stabilisation_residual: Part of it that is still in accepted states: of each increment what the stabilisation
+            did not let go of, from where the rope is settled; mJ.
+        friction_work: Work dissipated by friction in the whole sample since the start of the run, mJ.
     """
 
     q: Floats
@@ -58,6 +60,7 @@ class State:
     results: dict[str, Any] = field(default_factory=dict)
     costs: dict[str, PhaseCost] = field(default_factory=dict)
     stabilisation_work: float = 0.0
+    stabilisation_residual: float = 0.0
     friction_work: float = 0.0
 
     @property
@@ -83,6 +86,7 @@ def save(state: State, folder: Path) -> None:
         "results": state.results,
         "costs": {name: asdict(cost) for name, cost in state.costs.items()},
         "stabilisation_work": state.stabilisation_work,
+        "stabilisation_residual": state.stabilisation_residual,
         "friction_work": state.friction_work,
     }
     part = folder / (FILE + ".part")

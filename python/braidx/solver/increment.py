@@ -60,7 +60,8 @@ class Increment:
         q: Unknowns at its end, shape (num_unknowns,).
         iterations, linear_solves, updates: What it took.
         residual: Relative residual with the final contact elements.
-        stabilisation_work: Work that the proximal term takes in the equilibrium found, mJ.
+        stabilisation_work: Work that the proximal term took in all, in equilibria on the way, too, mJ.
+        stabilisation_residual: Part of it that is still in the equilibrium found, mJ.
         friction_work: Work dissipated by friction, mJ.
         penetration: Deepest penetration, mm, at least 0.
         contact_elements: Their number, all processes.
@@ -73,6 +74,7 @@ class Increment:
     updates: int
     residual: float
     stabilisation_work: float
+    stabilisation_residual: float
     friction_work: float
     penetration: float
     contact_elements: int
@@ -130,14 +132,16 @@ class Incrementer:
         try:
             while not self._accepted(trial, options) or self._lets_go(trial, options):
                 self._improve(trial, options.in_passing)
-            work = self.proximal.work(trial.q)
+            residual = self.proximal.work(trial.q)
+            work = trial.stabilisation_work + residual
         except Diverged as failure:
             if trial.held_state is None:
                 failure.pairs = self.contact.worst_pairs()
                 self.contact.restore(before)
                 raise
             LOGGER.debug("stabilisation does not let go: %s", failure)
-            work, held = self._take_back(trial, trial.held_state), True
+            residual, held = self._take_back(trial, trial.held_state), True
+            work = trial.stabilisation_work
         finally:
             self.proximal.damping = np.zeros_like(guess)
         done = self.contact.commit(trial.q)
@@ -148,6 +152,7 @@ class Incrementer:
             trial.updates,
             trial.residual,
             work,
+            residual,
             *done,
             held,
         )
@@ -193,6 +198,7 @@ class Incrementer:
         if trial.releases >= RELEASES or work <= most:
             return False
         trial.releases += 1
+        trial.stabilisation_work += work
         trial.note(anew=True)
         if options.may_hold:
             elements = self.contact.elements.copy()

@@ -97,6 +97,7 @@ class Trial:
     exhausted: int = 0
     releases: int = 0
     held_state: HeldState | None = None
+    stabilisation_work: float = 0.0  # mJ, in states that it has let go of
     most_updates: float = np.inf
     least: float = np.inf
     in_vain: int = 0

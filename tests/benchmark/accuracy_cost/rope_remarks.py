@@ -111,7 +111,7 @@ def bent(x: Lookup) -> Paragraphs:
         f"{x.error()}), not on friction work ({x.value('friction_work', **{BENDING: 6})}, "
         f"{x.value('friction_work', **TWELVE)}, {x.value('friction_work')} mJ). Three are too few, and dear: "
         f"{x.iterations(**few)} iterations (twelve: {x.iterations(**TWELVE)}), and the stabilisation does "
-        f"{x.value('stabilisation_work_share', **few)} of the work.",
+        f"{x.value('stabilisation_residual_share', **few)} of the work.",
         f"**Stations** at every element leave {x.error(**TWELVE, **{CUTS: 1.0})} in "
         f"{x.iterations(**TWELVE, **{CUTS: 1.0})} iterations, ten per element {x.error(**TWELVE, **{CUTS: 0.1})} in "
         f"{x.iterations(**TWELVE, **{CUTS: 0.1})}, the default of four {x.iterations(**TWELVE)}.",
@@ -123,7 +123,7 @@ def bent(x: Lookup) -> Paragraphs:
         "the rest.",
         f"**Cables** that nothing pulls have no shape: their run ends at {x.value('end_force', **slack)} N instead "
         f"of {x.value('end_force', **QUICK)} N, held by the stabilisation alone, as the share of its work tells "
-        f"({x.value('stabilisation_work_share', **slack)}, where it should stay below 0.01).",
+        f"({x.value('stabilisation_residual_share', **slack)}, where it should stay below 0.01).",
     ]
 
 

@@ -82,7 +82,7 @@ def contact_table(lines: list[np.ndarray], length: float, share: float) -> Conta
         gap=-1e-4 * force,
         normal_force=force,
         friction_force=0.1 * force[:, None] * [1.0, 0.0, 0.0],
-        slip=0.01 * np.ones(count),
+        reversible_slip=0.01 * np.ones(count),
         work=0.02 * force,
         yarn_a=np.array([row[2] for row in rows]),
         yarn_b=np.array([row[3] for row in rows]),

@@ -60,7 +60,7 @@ def rope(
         gap=gap,
         normal_force=force,
         friction_force=0.05 * force[:, None] * np.roll(normal, 1, axis=1),
-        slip=np.abs(generator.normal(0, 0.01, count)),
+        reversible_slip=np.abs(generator.normal(0, 0.01, count)),
         work=np.abs(generator.normal(0, 0.1, count)),
         yarn_a=picks[0],
         yarn_b=picks[1],

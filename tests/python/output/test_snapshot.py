@@ -52,7 +52,7 @@ def test_arrays_that_do_not_fit_are_named() -> None:
     contacts = rope(nodes=9).contacts
     assert contacts is not None
     with pytest.raises(ValueError, match="slip"):
-        replace(contacts, slip=np.zeros(3))
+        replace(contacts, reversible_slip=np.zeros(3))
 
 
 def test_core_skins_and_sheave_are_saved(tmp_path: Path) -> None:

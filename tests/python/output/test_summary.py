@@ -28,7 +28,7 @@ EXPECTED = {
 def test_shape_is_the_contract(tmp_path: Path) -> None:
     summary = Summary("tensile_test", EXPECTED)
     summary.converged = True
-    summary.set("rope_axial_stiffness", np.float64(9900.0), "kN")
+    summary.set("rope_axial_stiffness", np.float64(9900.0), "kN", "first loading")
     summary.set("wrong_side_crossings", np.int64(0), "count")
     summary.set("efficiency", 0.5, "-")
     summary.set("friction_work", 3.0, "mJ")
@@ -43,6 +43,7 @@ def test_shape_is_the_contract(tmp_path: Path) -> None:
         "source": "paper 1, table 2",
         "tolerance": 0.1,
         "met": True,
+        "state": "first loading",
     }
     assert read["results"]["wrong_side_crossings"]["met"] is True
     assert read["results"]["efficiency"]["met"] is None

@@ -18,8 +18,11 @@ def test_a_pull_without_a_linear_part_has_no_stiffness(force, has_stiffness):
         "rope strain (-)": 0.001 * np.arange(count),
         "force (kN)": np.array(force),
         "max penetration / radius (-)": np.full(count, 0.01),
-        "stabilisation work share (-)": np.zeros(count),
+        "stabilisation residual share (-)": np.zeros(count),
+        "stabilisation work share (-)": 0.01 * np.arange(count),
     }
     results = final_results(scene, build_rope(scene), rows)
     assert ("rope_axial_stiffness" in results) == has_stiffness == ("efficiency" in results)
     assert results["max_penetration_over_radius"] == 0.01
+    assert results["stabilisation_residual_share"] == 0.0
+    assert results["stabilisation_work_share"] == 0.01 * (count - 1)  # of all increments

@@ -32,7 +32,30 @@ def test_history_has_a_row_per_increment(whole_run):
     steps = [str(step) for step in rows["step"]]
     assert list(dict.fromkeys(steps)) == ["1 form", "2 settle", "3 pull"]
     assert rows["force (kN)"][-1] == pytest.approx(5.0, rel=5e-3)
-    assert np.all(np.diff(rows["friction work (mJ)"]) >= 0)
+    work = rows["friction work (mJ)"]
+    assert np.all(np.diff(work) >= 0)
+    formed = np.flatnonzero(rows["step"] == "1 form")[-1]
+    assert work[formed] > 0  # friction acts once the yarns of the formed rope are in place
+
+
+def test_results_name_the_state_that_they_are_of(whole_run):
+    results = whole_run.summary["results"]
+    assert all(result["state"] for result in results.values())
+    assert results["outer_diameter_formed"]["state"].startswith("formed, ")
+    for name in ("yarn_stress_mean", "outer_diameter_loaded"):
+        assert float(results[name]["state"].removesuffix(" kN")) == pytest.approx(5.0, rel=5e-3)
+    assert [name for name in results if "diameter" in name] == [
+        "outer_diameter_formed",
+        "outer_diameter_loaded",
+    ]
+
+
+def test_friction_work_is_at_least_that_of_the_contacts_there_are(whole_run):
+    """Both count from the start of the run; contacts that have ended are in the sum of the history alone."""
+    last = max((whole_run.folder / "snapshots").iterdir())
+    present = float(snapshot.load(last).contacts.work.sum())
+    total = whole_run.values["friction_work"]
+    assert 0.0 < present <= total * (1.0 + 1e-9)
 
 
 def test_the_last_state_is_kept(whole_run):

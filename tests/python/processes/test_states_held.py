@@ -22,7 +22,7 @@ def model_and_state():
     return make_model(MPI.COMM_SELF, scene, state), state
 
 
-def noted(model, monkeypatch, shares):
+def noted(model, monkeypatch, shares, works=None):
     """Whether each increment may let go; those that may cannot, and hold shares of the energy."""
     asked, solve = [], model.incrementer.solve
 
@@ -30,7 +30,9 @@ def noted(model, monkeypatch, shares):
         asked.append(options.stabilisation is not None)
         found = solve(start, guess, replace(options, stabilisation=None), stiffening)
         work = shares[min(len(asked), len(shares)) - 1] * model.internal_energy(found.q)
-        return replace(found, held=asked[-1], stabilisation_work=work)
+        if works is not None:
+            works.append(work)
+        return replace(found, held=asked[-1], stabilisation_work=work, stabilisation_residual=work)
 
     monkeypatch.setattr(model.incrementer, "solve", held)
     return asked
@@ -38,17 +40,20 @@ def noted(model, monkeypatch, shares):
 
 def test_it_is_held_until_little_is_left_and_for_the_rest_of_the_step(model_and_state, monkeypatch):
     model, state = model_and_state
-    asked = noted(model, monkeypatch, [0.02, 0.005, 0.5 * HOLDABLE])
+    works: list[float] = []
+    asked = noted(model, monkeypatch, [0.02, 0.005, 0.5 * HOLDABLE], works)
     puller = Puller(model, state)
     first = puller.to(5e-4)
     assert asked == [True, False, False]
     assert puller.strain == 5e-4 and puller.calming == 1.0
     left = 0.5 * HOLDABLE * model.internal_energy(puller.state.q)
-    assert puller.state.stabilisation_work == pytest.approx(left)  # not of the way there
-    assert first.increment.stabilisation_work == pytest.approx(left)
+    assert puller.state.stabilisation_residual == pytest.approx(left)
+    assert puller.state.stabilisation_work == pytest.approx(sum(works))  # the way there, too
+    assert works[-1] == pytest.approx(left) and works[0] > 20 * left
+    assert first.increment.stabilisation_work == puller.state.stabilisation_work
     puller.to(1e-3)
     assert asked[3:] == [False]
-    assert puller.state.stabilisation_work > 1.9 * left
+    assert puller.state.stabilisation_residual > 1.9 * left
     assert "stuck" not in puller.state.next_step().progress
 
 

@@ -10,7 +10,6 @@ import pytest
 from paper_ropes import converged
 from pulled_values import (
     EFFICIENCY,
-    FORMED,
     HELD,
     LOADED,
     PENETRATION,
@@ -27,9 +26,9 @@ VALUES = [  # case, what, column, reference, tolerance
     ("R4", f"EA, kN, against {MODEL}", STIFFNESS, 9880.0, 0.10),
     ("R4", f"efficiency, against {EXPERIMENT}", EFFICIENCY, 0.699, 0.10),
     ("R4", f"efficiency, against {MODEL}", EFFICIENCY, 0.726, 0.10),
-    ("R5", f"outer diameter formed, mm, against {MODEL}", FORMED, 20.0, 0.05),
     ("R5", f"outer diameter at 70 kN, mm, against {EXPERIMENT}", LOADED, 19.0, 0.05),
 ]
+# The diameter of the formed rope is no check: the die of the demo was chosen for it (docs/deviations.md).
 # Of the studies' statements; those with a reason were found not to hold.
 PITCH = {
     "rises": "",

@@ -26,7 +26,7 @@ def draw_all(
     Args:
         out_dir: Output folder of the run.
         snapshots: States in the order of the run; the formed rope is named "formed", the loaded
-            rope is the last straight one that has axial stresses. Those with a sheave are of the rope being bent.
+            rope is the end of the first pull, as in the results. Those with a sheave are of the rope being bent.
         history_path: history.csv of the run.
         references: Expected value per result name; `rope_axial_stiffness` (kN) is drawn.
     Returns:

@@ -10,7 +10,6 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from braidx.output.figures.bent import aslant_view, bent_image
-from braidx.output.figures.style import state_of
 from braidx.output.snapshot import Snapshot
 
 WIDTH = 800  # pixels
@@ -60,7 +59,7 @@ def _frame(snapshot: Snapshot, picture: np.ndarray) -> Image.Image:
     page = Image.new("RGB", (columns, rows + _TITLE), "white")
     page.paste(Image.fromarray((255 * on_white + 0.5).astype(np.uint8)), (0, _TITLE))
     font = ImageFont.load_default(18)
-    ImageDraw.Draw(page).text((10, 6), state_of(snapshot), fill="#23272e", font=font)
+    ImageDraw.Draw(page).text((10, 6), snapshot.state, fill="#23272e", font=font)
     return page
 
 

@@ -11,7 +11,6 @@ from braidx.output.figures.shapes import Colouring
 from braidx.output.figures.jobs import draw_jobs
 from braidx.output.interlacing import relative_displacement
 from braidx.output.measures import layers
-from braidx.output.figures.style import state_of
 from braidx.output.snapshot import Snapshot
 
 
@@ -42,7 +41,7 @@ def draw_bending(
         result = relative_displacement(
             straight.centre_lines, last.centre_lines, straight.radius, layers(straight)
         )
-        return slip_map.draw_slip_map(result, crown_of(last), path, state_of(last))
+        return slip_map.draw_slip_map(result, crown_of(last), path, last.state)
 
     jobs: dict[str, Callable[[Path], Path]] = {
         "bent.png": lambda path: bent.draw_bent(last, path),

@@ -12,7 +12,7 @@ from matplotlib.colors import Normalize
 from braidx.output.figures.shade import render
 from braidx.output.figures.shapes import STRESS_MAP, Colouring, shapes, stress_scale
 from braidx.output.figures.sheave_shape import sheave_surface
-from braidx.output.figures.style import INK, figure, panels, save, state_of, styled
+from braidx.output.figures.style import INK, figure, panels, save, styled
 from braidx.output.figures.triangles import Triangles
 from braidx.output.figures.view import View, frame
 from braidx.output.rope_axis import axis_of
@@ -38,7 +38,7 @@ def draw_bent(snapshot: Snapshot, path: Path, colouring: Colouring = Colouring.Y
     axes = panels(page, 2, 1, sharex=True)
     _fill_side(axes[0], snapshot, parts, low, high)
     _fill_side(axes[1], snapshot, parts, low, high, cut=True)
-    axes[0].set_title(f"{state_of(snapshot)}: from the side{_over(snapshot)}")
+    axes[0].set_title(f"{snapshot.state}: from the side{_over(snapshot)}")
     axes[1].set_title("cut along the rope's axis")
     axes[1].set_xlabel("z (mm)")
     if scale is not None:
@@ -64,7 +64,7 @@ def draw_aslant(snapshot: Snapshot, path: Path, colouring: Colouring = Colouring
     ax.text(1.05 * bar, below, f"{bar:g} mm", ha="left", va="center")
     ax.set_ylim(2 * below, view.height)
     ax.set_axis_off()
-    ax.set_title(f"{state_of(snapshot)}: {snapshot.num_yarns} yarns{_over(snapshot)}")
+    ax.set_title(f"{snapshot.state}: {snapshot.num_yarns} yarns{_over(snapshot)}")
     if scale is not None:
         _colour_bar([ax], scale)
     return save(page, path)

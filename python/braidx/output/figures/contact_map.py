@@ -8,7 +8,7 @@ import numpy as np
 
 from braidx.output.bending_measures import crown_of
 from braidx.output.contact_table import KINDS
-from braidx.output.figures.style import figure, panels, save, state_of, styled
+from braidx.output.figures.style import figure, panels, save, styled
 from braidx.output.figures.unrolled import from_sheave, unrolled
 from braidx.output.rope_axis import axis_of
 from braidx.output.snapshot import Snapshot
@@ -43,7 +43,7 @@ def draw_contact_map(snapshot: Snapshot, path: Path) -> Path:
         unrolled(ax, low, high, float(axis.arc_length(crown)[0]))
         page.colorbar(dots, ax=ax, pad=0.08).set_label("normal force (N)")
         ax.set_title(
-            f"{state_of(snapshot)}, {KINDS[kind]}: {len(force)} elements, largest {force.max():.3g} N\n"
+            f"{snapshot.state}, {KINDS[kind]}: {len(force)} elements, largest {force.max():.3g} N\n"
         )
     axes[-1].set_xlabel("length along the rope's axis (mm)")
     return save(page, path)

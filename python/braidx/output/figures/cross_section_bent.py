@@ -20,7 +20,6 @@ from braidx.output.figures.style import (
     figure,
     panels,
     save,
-    state_of,
     styled,
     yarn_colours,
 )
@@ -63,7 +62,7 @@ def draw_crown_section(snapshot: Snapshot, path: Path) -> Path:
     ax.set_aspect("equal")
     size = high - low
     ax.set_title(
-        f"{state_of(snapshot)}: section at the crown, z = {crown:.1f} mm,\n"
+        f"{snapshot.state}: section at the crown, z = {crown:.1f} mm,\n"
         f"{size[0]:.2f} mm wide and {size[1]:.2f} mm high"
     )
     ax.set_xlabel("x (mm)")

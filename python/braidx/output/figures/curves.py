@@ -18,7 +18,6 @@ from braidx.output.figures.style import (
     figure,
     panels,
     save,
-    state_of,
     styled,
 )
 from braidx.output.measures import interior_stress, linear_fit, yarn_stress
@@ -114,9 +113,7 @@ def draw_stress_histogram(snapshots: Sequence[Snapshot], path: Path) -> Path:
     edges = np.linspace(values.min() - 0.02 * spread, values.max() + 0.02 * spread, 41)
     for snapshot, colour, (stress, length) in zip(snapshots, (BLUE, AMBER, GREY), data):
         found = yarn_stress(snapshot)
-        label = (
-            f"{state_of(snapshot)}: mean {found.mean:.0f}, standard deviation {found.std:.0f} MPa"
-        )
+        label = f"{snapshot.state}: mean {found.mean:.0f}, standard deviation {found.std:.0f} MPa"
         weight = 100 * length / length.sum()
         ax.hist(stress, list(edges), weights=weight, color=colour, alpha=0.75, label=label)
         ax.axvline(found.mean, color=INK, lw=1.0, ls="--")
@@ -137,7 +134,11 @@ def draw_course(history_path: Path, path: Path) -> Path:
         ("Newton iterations", "Newton iterations (-)", 1.0),
         ("contact elements", "contact elements (-)", 1.0),
         ("max penetration / radius (-)", "largest penetration\n(% of radius)", 100.0),
-        ("stabilisation work share (-)", "stabilisation work\n(% of internal energy)", 100.0),
+        (
+            "stabilisation residual share (-)",
+            "stabilisation residual\n(% of internal energy)",
+            100.0,
+        ),
         ("seconds", "time (s)", 1.0),
     )
     page = figure(9.0, 10.0)

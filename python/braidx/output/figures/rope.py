@@ -11,7 +11,7 @@ from matplotlib.cm import ScalarMappable
 
 from braidx.output.figures.shade import render
 from braidx.output.figures.shapes import STRESS_MAP, scale_of, shapes
-from braidx.output.figures.style import INK, figure, panels, save, state_of, styled
+from braidx.output.figures.style import INK, figure, panels, save, styled
 from braidx.output.figures.triangles import Triangles
 from braidx.output.figures.view import View
 from braidx.output.measures import extent, interior_stress, outer_diameter
@@ -33,7 +33,7 @@ def draw_forming(snapshots: Sequence[Snapshot], path: Path) -> Path:
         shown = shapes(snapshot)
         # From the first end: until it is laid end to end the rope is one pitch long.
         _side_view(ax, snapshot, shown, low + 0.5 * length, length, half)
-        ax.set_title(f"{state_of(snapshot)}: outer diameter {outer_diameter(snapshot):.2f} mm")
+        ax.set_title(f"{snapshot.state}: outer diameter {outer_diameter(snapshot):.2f} mm")
     axes[-1].set_xlabel(f"z (mm), {length:.0f} of {high - low:.0f} mm shown")
     return save(page, path)
 
@@ -61,9 +61,7 @@ def draw_oblique(snapshot: Snapshot, path: Path) -> Path:
     ax.text(-0.008 * width, 0, f"{bar:g} mm", rotation=90, ha="right", va="center")
     ax.set_axis_off()
     diameter = outer_diameter(snapshot)
-    ax.set_title(
-        f"{state_of(snapshot)}: {snapshot.num_yarns} yarns, outer diameter {diameter:.2f} mm"
-    )
+    ax.set_title(f"{snapshot.state}: {snapshot.num_yarns} yarns, outer diameter {diameter:.2f} mm")
     return save(page, path)
 
 
@@ -87,7 +85,7 @@ def draw_stress(snapshot: Snapshot, path: Path) -> Path:
     page = figure(12.0, 10.6 * sum(heights) + 2.0)
     axes = panels(page, 3, 1, height_ratios=heights)
     _side_view(axes[0], snapshot, whole, middle, high - low, half)
-    axes[0].set_title(f"{state_of(snapshot)}: whole rope")
+    axes[0].set_title(f"{snapshot.state}: whole rope")
     _side_view(axes[1], snapshot, whole, middle, length, half, cut_depth=0.0)
     axes[1].set_title("section along the rope's axis")
     _side_view(axes[2], snapshot, alone, middle, length, half)

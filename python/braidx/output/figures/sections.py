@@ -19,7 +19,6 @@ from braidx.output.figures.style import (
     figure,
     panels,
     save,
-    state_of,
     styled,
     yarn_colours,
 )
@@ -29,7 +28,6 @@ from braidx.output.measures import (
     layers,
     outer_diameter,
     packing_fraction,
-    tape_diameter,
 )
 from braidx.output.snapshot import Snapshot
 
@@ -43,7 +41,7 @@ def draw_steps(snapshots: Sequence[Snapshot], path: Path) -> Path:
     axes = panels(page, 1, len(snapshots), sharey=True)
     for ax, snapshot, section in zip(axes, snapshots, sections):
         _draw(ax, snapshot, section, half)
-        ax.set_title(f"{state_of(snapshot)}\ndiameter {tape_diameter(section):.2f} mm")
+        ax.set_title(f"{snapshot.state}\nouter diameter {outer_diameter(snapshot):.2f} mm")
         ax.set_xlabel("x (mm)")
     axes[0].set_ylabel("y (mm)")
     return save(page, path)
@@ -51,7 +49,7 @@ def draw_steps(snapshots: Sequence[Snapshot], path: Path) -> Path:
 
 @styled
 def draw_section(snapshot: Snapshot, path: Path) -> Path:
-    """One section with its circumscribed circle and diameters (fig. 14)."""
+    """One section with the smallest circle about the rope's axis around it (fig. 14), and the outer diameter."""
     section = cut(snapshot, _middle(snapshot))
     diameter = circumscribed_diameter(section)
     half = 0.56 * diameter
@@ -68,9 +66,9 @@ def draw_section(snapshot: Snapshot, path: Path) -> Path:
     label = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 2.0}
     ax.text(0, 0, f"{diameter:.2f} mm", ha="center", va="center", fontsize=11, bbox=label)
     ax.set_title(
-        f"{state_of(snapshot)}: section at z = {section.z:.1f} mm\n"
-        f"yarns fill {100 * packing_fraction(section):.0f} % of the circle; "
-        f"by tape the rope has {outer_diameter(snapshot):.2f} mm"
+        f"{snapshot.state}: section at z = {section.z:.1f} mm\n"
+        f"outer diameter of the rope (girth / pi) {outer_diameter(snapshot):.2f} mm;\n"
+        f"yarns fill {100 * packing_fraction(section):.0f} % of the smallest circle about the axis (dashed)"
     )
     ax.set_xlabel("x (mm)")
     ax.set_ylabel("y (mm)")

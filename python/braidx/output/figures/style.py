@@ -53,14 +53,6 @@ def styled(draw: Callable[P, Path]) -> Callable[P, Path]:
     return wrapper
 
 
-def state_of(snapshot: Snapshot) -> str:
-    """What a title calls a state: its name and the force on the rope, where that is known."""
-    if snapshot.force is None:
-        return snapshot.name
-    force = f"{snapshot.force:.4g} kN"
-    return force if snapshot.name == force else f"{snapshot.name}, {force}"
-
-
 def yarn_colours(snapshot: Snapshot) -> Array:
     """Colour of each yarn, shape (num_yarns, 3): hue by layer, tone by strand.
 
@@ -115,8 +107,10 @@ def formed(snapshots: Sequence[Snapshot]) -> Snapshot:
 
 
 def loaded(snapshots: Sequence[Snapshot]) -> Snapshot | None:
-    """The last snapshot that has axial stresses, if any."""
-    for snapshot in reversed(snapshots):
-        if snapshot.axial_stress is not None:
-            return snapshot
-    return None
+    """The state that results of the loaded rope are those of: the end of the first pull.
+
+    Without a pull it is the last state that has axial stresses, if any.
+    """
+    pulled = [snapshot for snapshot in snapshots if snapshot.is_pulled]
+    stressed = [snapshot for snapshot in snapshots if snapshot.axial_stress is not None]
+    return pulled[0] if pulled else stressed[-1] if stressed else None

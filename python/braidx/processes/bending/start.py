@@ -17,6 +17,7 @@ from .model import BentRope
 from .stretches import Stretch, as_table, from_table, stretches_of
 
 BENT = "bent"  # the state's model
+WORK_BEFORE = "friction_work_before_bending"  # mJ; where the rope is bent again, friction counts from here again
 
 
 def straight_lines(scene: Scene, state: State) -> tuple[Floats, ...]:
@@ -46,6 +47,7 @@ def clamped(scene: Scene, state: State) -> State:
         reference=np.concatenate(lines).ravel(),
         rest_tension=np.empty(0),
     )
+    state.results[WORK_BEFORE] = state.friction_work
     return with_stretches(state, stretches_of(scene, lines))
 
 
@@ -58,7 +60,8 @@ def with_stretches(state: State, stretches: Sequence[Stretch]) -> State:
         stretches=as_table(stretches),
         contacts={},
         stabilisation_work=0.0,
-        friction_work=0.0,
+        stabilisation_residual=0.0,
+        friction_work=state.results[WORK_BEFORE],
         progress={},
     )
 

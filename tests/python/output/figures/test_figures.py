@@ -99,6 +99,15 @@ def test_stages_end_with_the_formed_rope() -> None:
     assert style.formed(run).name == "formed" and style.loaded(run) is None
 
 
+def test_the_loaded_rope_is_that_of_the_first_pull_as_in_the_results() -> None:
+    one = rope(nodes=5, strands=2, stressed=True)
+    run = [replace(one, name=name) for name in ("settled", "70 kN", "held", "100 kN", "unloaded")]
+    found = style.loaded(run)
+    assert found is not None and found.name == "70 kN"
+    last = style.loaded(run[:1] + run[-1:])
+    assert last is not None and last.name == "unloaded"
+
+
 def test_hue_tells_layers_apart_and_a_single_strand_its_yarns() -> None:
     colours = style.yarn_colours(rope(nodes=9))
     assert (colours[:42, 2] > colours[:42, 0]).all() and (colours[42:, 2] < colours[42:, 0]).all()
@@ -132,6 +141,6 @@ def test_the_core_is_drawn_in_straight_ropes() -> None:
 
 def test_titles_name_the_force_on_the_rope() -> None:
     one = rope(nodes=5, strands=2)
-    assert style.state_of(replace(one, name="settled", force=2.0)) == "settled, 2 kN"
-    assert style.state_of(replace(one, name="5 kN", force=5.0)) == "5 kN"
-    assert style.state_of(replace(one, name="start")) == "start"
+    assert replace(one, name="settled", force=2.0).state == "settled, 2 kN"
+    assert replace(one, name="5 kN", force=5.002).state == "5.002 kN"
+    assert replace(one, name="start").state == "start"
