@@ -106,6 +106,6 @@ stop_with_advice() {
   and the right to mount. Use one of
     apt:     $apt
     conda:   conda env create -f '$checkout/environment.yml' && conda activate braidx
-    Docker:  docker build -t braidx '$checkout' && docker run --rm -it -v \"\$PWD:/data\" -w /data braidx demo
+    Docker:  docker build -t braidx '$checkout' && docker run --rm -it --user \"\$(id -u):\$(id -g)\" -v \"\$PWD:/data\" braidx demo
   or name a Python that has it: BRAIDX_PYTHON=/path/to/python3"
 }

@@ -5,12 +5,30 @@ workers() {
     echo $((cores < 4 ? cores : 4))
 }
 
+# Builds the engine as it is for any processor, and for those of the level x86-64-v3 (AVX2, FMA), where this is one:
+# the tests find them in BRAIDX_BUILDS.
+build_for_machines() {
+    local arguments=${BRAIDX_CMAKE_ARGS:-} lacking
+    build braidx_engine
+    export BRAIDX_BUILDS="any=$build"
+    lacking=$(for name in avx2 bmi2 f16c fma movbe; do grep -q -m 1 -w "$name" /proc/cpuinfo || echo "$name"; done)
+    if [ -n "$lacking" ]; then
+        note "this processor is none of the level x86-64-v3 (no" $lacking"): its build is not compared"
+        return
+    fi
+    BRAIDX_CMAKE_ARGS="$arguments -DCMAKE_CXX_FLAGS=-march=x86-64-v3"
+    build braidx_engine
+    BRAIDX_BUILDS+=" x86-64-v3=$build"
+    BRAIDX_CMAKE_ARGS=$arguments
+}
+
 # ./braidx test: C++ tests through ctest, then Python tests through pytest; fails if either does.
 
 run_tests() {
-    local folders=() options=() argument cpp='not run' py code=0
+    local folders=() options=() argument machines='' cpp='not run' py code=0
     for argument in "$@"; do
         case $argument in
+        --machines) folders+=("tests/machines") machines=yes ;;
         --verification | --stability | --benchmark | --studies) folders+=("tests/${argument#--}") ;;
         *) options+=("$argument")
             [ -e "$checkout/${argument%%::*}" ] && [ "${argument#-}" = "$argument" ] && folders+=("") ;;
@@ -24,6 +42,7 @@ run_tests() {
         "${inside[@]}" ctest --test-dir "$build" --output-on-failure --progress && cpp=passed || { code=$? cpp=FAILED; }
         folders=(tests/python tests/verification)
     else
+        [ -z "$machines" ] || build_for_machines
         build braidx_engine
     fi
     local existing=() folder

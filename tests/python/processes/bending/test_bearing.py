@@ -40,10 +40,9 @@ def test_no_balance_is_said_to_be_none():
 
 def test_a_rope_over_a_free_sheave(run, tmp_path):
     """Both ends move alike: the sheave turns a little, as the helices of the two directions are not mirror images."""
-    words = ["sheave.motion=free", "steps.bend.travel=2", "steps.bend.increments=1"]
-    words += ["steps.straighten.increments=1", "solver.viscosity=0.1"]
+    words = ["sheave.motion=free", "steps.bend.travel=2"]
     free = run(tmp_path / "free", *(part for w in words for part in ("--set", w)), scene=SCENE)
     assert free.code == 0, free.stderr
     assert 0.0 < abs(free.values["sheave_angle"]) < 5.0
     assert free.values["relative_displacement"] > 0.05
-    assert free.history["Newton iterations"][-2] > 10  # of all turns that were tried
+    assert free.history["Newton iterations"].max() > 30  # of all turns that were tried
