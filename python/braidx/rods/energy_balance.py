@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -39,9 +39,9 @@ class MotionStep:
         time, length: At the end, and from the begin to the end of the step, s.
         kinetic: Of all masses.
         elastic: Stored in the rods.
-        contact: Of the penalties of contact.
+        contact: Of penalties and of the reversible slip of friction.
         work_of_supports, work_of_loads: Positive into the rods.
-        friction_work: Taken out by friction; negative where reversible slip gives back what it took.
+        friction_work: Dissipated by friction, at least 0.
         numerical_dissipation: Taken out by the time integration, and by contact elements and penalties that are made
             anew; negative where these put energy in.
     """
@@ -67,7 +67,8 @@ class MotionStep:
 class _State:
     """What the balance needs to know of an instant; shapes (num_unknowns,).
 
-    `driven` is the part of the velocity that supports prescribe; `forces` are those of all terms but inertia.
+    `driven` is the part of the velocity that supports prescribe; `forces` are those of all terms but inertia. The last
+    one of `energies`, that of contact, contains `slip_energy`.
     """
 
     q: Floats
@@ -77,6 +78,7 @@ class _State:
     loads: Floats
     friction: Floats
     energies: tuple[float, float, float]
+    slip_energy: float
 
 
 class EnergyBalance:
@@ -108,21 +110,24 @@ class EnergyBalance:
         self,
         q: Floats,
         inertia: InertiaTerm,
+        friction_work: float,
         share: float,
         time: float,
     ) -> MotionStep:
         """The balance of a step that ends at q, where `inertia` has ended it, too.
 
         Args:
+            friction_work: Dissipated by friction in the step, mJ.
             share: Of the run that is done at the end of the step.
             time: At its end, s.
         Raises:
             MakesEnergy: If it made energy; the balance then stays at the begin of the step.
         """
         before, after = self._now, self._state(q, inertia)
-        (supports, loads, friction), unsettled = self._works(before, after)
+        after = self._with_slip_energy(before, after, friction_work)
+        (supports, loads), unsettled = self._works(before, after, inertia.scheme.alpha_f)
         gain = sum(after.energies) - sum(before.energies)
-        lost = supports + loads + friction - gain
+        lost = supports + loads - friction_work - gain
         exchanged = max(
             self._exchanged + abs(supports) + abs(loads),
             after.energies[0] + abs(sum(after.energies[1:]) - self._rest),
@@ -140,23 +145,38 @@ class EnergyBalance:
         self.credit += lost
         self._now, self._exchanged = after, exchanged
         return MotionStep(
-            share, time, inertia.step, *after.energies, supports, loads, -friction, lost
+            share, time, inertia.step, *after.energies, supports, loads, friction_work, lost
         )
 
-    def _works(self, before: _State, after: _State) -> tuple[Floats, float]:
-        """Of supports, loads and friction, by the trapezoidal rule, shape (3,), and by how much they are unsettled, mJ.
+    @staticmethod
+    def _with_slip_energy(before: _State, after: _State, dissipated: float) -> _State:
+        """The end of a step with the energy that reversible slip has taken up, but not dissipated.
+
+        It lies between none and F . slip / 2, which grows and falls with normal forces without any work, too.
+        """
+        taken = -0.5 * (before.friction + after.friction) @ (after.q - before.q)
+        most, stored = after.slip_energy, before.slip_energy + float(taken) - dissipated
+        slip = min(max(stored, 0.0), most)
+        kinetic, elastic, contact = after.energies
+        return replace(after, energies=(kinetic, elastic, contact - most + slip), slip_energy=slip)
+
+    def _works(self, before: _State, after: _State, alpha_f: float) -> tuple[Floats, float]:
+        """Of supports and loads, by the trapezoidal rule, shape (2,), and what is unsettled, mJ.
 
         Supports do work on the rods that they hold, and on the masses that move as they do. Where forces change in a
-        step, their work is that of the new ones, of the old ones or between, as the way comes first or the change.
+        step, their work is that of the new ones, of the old ones or between, as the way comes first or the change; of
+        friction what is dissipated is that of the new ones, of which a scheme may apply a part only.
         """
         moved = after.q - before.q
         driven = moved - self._equilibria.free_part(moved)
-        new = np.array([after.forces @ driven, after.loads @ moved, after.friction @ moved])
-        old = np.array([before.forces @ driven, before.loads @ moved, before.friction @ moved])
+        new = np.array([after.forces @ driven, after.loads @ moved])
+        old = np.array([before.forces @ driven, before.loads @ moved])
         works = 0.5 * (new + old)
         faster = self._layout.mass * (after.velocity - before.velocity)
         works[0] += 0.5 * (before.driven + after.driven) @ faster
-        return works, 0.5 * float(np.abs(new - old).sum())
+        unsettled = 0.5 * np.abs(new - old).sum()
+        unsettled += alpha_f * abs((after.friction - before.friction) @ moved)
+        return works, float(unsettled)
 
     def _tolerance(self, before: _State, after: _State, inertia: InertiaTerm) -> float:
         """Work that residuals below the solver's tolerance do in the step, and round-off of positions, mJ."""
@@ -164,7 +184,7 @@ class EnergyBalance:
         scale = max(
             equilibria.system.force_scale,
             float(np.linalg.norm(self._layout.mass * inertia.acceleration)),
-            self._layout.round_off / equilibria.tolerance,
+            equilibria.round_off(after.q) / equilibria.tolerance,
         )
         way = float(np.linalg.norm(after.q - before.q))
         return scale * (equilibria.pairing_tolerance * way + EPS * float(np.linalg.norm(after.q)))
@@ -173,10 +193,15 @@ class EnergyBalance:
         equilibria, velocity = self._equilibria, inertia.velocity
         loads = equilibria.applied(q)
         comm = equilibria.system.comm
-        contact = comm.allreduce(float(self._contact.results(q)["energy"].sum()))
+        found = self._contact.results(q)
+        slips = 0.5 * np.sum(found["friction_force"] * found["slip"])
+        slip = comm.allreduce(float(slips))
+        contact = comm.allreduce(float(found["energy"].sum())) + slip
         friction = equilibria.friction(q)
         forces = equilibria.forces(q)  # the bodies are at q after it
         elastic = sum(comm.allreduce(body.energy()) for body in self._layout.bodies)
         kinetic = 0.5 * float(self._layout.mass @ velocity**2)
         driven = velocity - equilibria.free_part(velocity)
-        return _State(q, velocity, driven, forces, loads, friction, (kinetic, elastic, contact))
+        return _State(
+            q, velocity, driven, forces, loads, friction, (kinetic, elastic, contact), slip
+        )

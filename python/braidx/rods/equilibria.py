@@ -93,6 +93,7 @@ class Equilibria:
         """
         self._held_ends.refuse_overlap(self._supports.advanced(share)[0])
         self._ask_for(share)
+        self._newton.options = replace(self._newton_options, round_off=self.round_off(first))
         fitting = self.system.expand(self.system.free_values(first))
         if blind:
             following = follow_supports(self.system, self._layout, self._contact, start, first)
@@ -199,6 +200,12 @@ class Equilibria:
     def pairing_tolerance(self) -> float:
         """Relative residual at which a state is accepted."""
         return self._options.pairing_tolerance
+
+    def round_off(self, q: Floats) -> float:
+        """Norm of what round-off of the positions q leaves of internal forces, N: it grows as rods go far."""
+        where = ~self._layout.is_director
+        gone = np.abs(q[where]).max() / np.abs(self._layout.rest[where]).max()
+        return self._layout.round_off * max(1.0, float(gone))
 
     def free_part(self, values: Floats) -> Floats:
         """Changes of all unknowns that follow the free ones where supports stand still, shape (num_unknowns,)."""

@@ -83,7 +83,9 @@ class TimeSteps:
         before = inertia.state
         self._end(increment.q, q)
         try:
-            self.last = self._balance.close(increment.q, inertia, end, time + length)
+            self.last = self._balance.close(
+                increment.q, inertia, increment.friction_work, end, time + length
+            )
         except MakesEnergy:
             inertia.state = before
             self._contact.restore(elements)

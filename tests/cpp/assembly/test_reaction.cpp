@@ -37,6 +37,7 @@ TEST_CASE("normal force is the law's for the stiffness of the whole station", "[
         CHECK(std::abs(r.system.gap - gap) < 1e-14);
         CHECK(std::abs(r.normal_force - law.force(gap)) < 1e-9);
         CHECK(std::abs(r.stiffness - law.tangent(gap)) < 1e-9);
+        CHECK(std::abs(r.energy - law.energy(gap)) < 1e-12);
         CHECK(r.acts() == (gap < 0));
     }
 }
