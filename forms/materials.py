@@ -46,9 +46,9 @@ def stiffness(law: TransverselyIsotropic) -> SectionStiffness:
     )
 
 
-def axial_energy(strain: Strain, law: TransverselyIsotropic) -> Any:
+def axial_energy(e33: Any, law: TransverselyIsotropic) -> Any:
     """Energy of the axial strain while the section contracts freely, MPa."""
-    return 0.5 * law.axial_modulus * strain.e33**2
+    return 0.5 * law.axial_modulus * e33**2
 
 
 def section_energy(strain: Strain, law: TransverselyIsotropic) -> Any:

@@ -75,11 +75,12 @@ class Yarns:
         modulus, area = yarn.axial_stiffness / yarn.section_area, yarn.section_area
         slope, g, rate = _frames(now, self._lengths)
         slope0, g0, rate0 = _frames(self.rest, self._lengths)
-        e33 = 0.5 * ((slope**2).sum(-1) - (slope0**2).sum(-1))
-        shears = np.einsum("yeai,yei->yea", g, slope) - np.einsum("yeai,yei->yea", g0, slope0)
-        bends = np.einsum("yeai,yei->yea", rate, slope) - np.einsum("yeai,yei->yea", rate0, slope0)
-        twists = np.einsum("yeai,yebi->yeab", g, rate) - np.einsum("yeai,yebi->yeab", g0, rate0)
+        rate = rate - rate0 @ _moved(slope, g, slope0, g0)
         factor = yarn.bundle_factor
+        e33 = self._fibres(slope, slope0, rate)
+        shears = np.einsum("yeai,yei->yea", g, slope) - np.einsum("yeai,yei->yea", g0, slope0)
+        bends = np.einsum("yeai,yei->yea", rate, slope)
+        twists = np.einsum("yeai,yebi->yeab", g, rate)
         density = 0.5 * modulus * area * e33**2 + self.tension * e33
         density += (1.0 - TILT) * 0.5 * area * shear * (shears**2).sum(-1)
         density += 0.5 * factor * modulus * inertia * (bends**2).sum(-1)
@@ -94,16 +95,25 @@ class Yarns:
         m = transverse / modulus * yarn.poisson_axial**2
         plane = transverse / ((1.0 + nu) * (1.0 - nu - 2.0 * m))
         c11, c12 = plane * (1.0 - m), plane * (nu + m)
-        slope, slope0 = _frames(now, self._lengths)[0], _frames(self.rest, self._lengths)[0]
-        contraction = 0.5 * yarn.poisson_axial * ((slope**2).sum(-1) - (slope0**2).sum(-1))
-        total = np.zeros_like(contraction)
+        slope, _, rate = _frames(now, self._lengths)
+        slope0, _, rate0 = _frames(self.rest, self._lengths)
+        total = np.zeros(slope.shape[:2])
         for end in (slice(None, -1), slice(1, None)):
             g, g0 = (q[:, end, 3:].reshape(*slope.shape[:2], 2, 3) for q in (now, self.rest))
             metric = 0.5 * (g @ g.swapaxes(-1, -2) - g0 @ g0.swapaxes(-1, -2))
+            turning = rate - rate0 @ _moved(slope, g, slope0, g0)
+            contraction = yarn.poisson_axial * self._fibres(slope, slope0, turning)
             e11, e22 = metric[..., 0, 0] + contraction, metric[..., 1, 1] + contraction
             density = 0.5 * c11 * (e11**2 + e22**2) + c12 * e11 * e22
             total += 0.5 * (density + (c11 - c12) * metric[..., 0, 1] ** 2)
         return np.asarray(yarn.section_area * total)
+
+    def _fibres(self, slope: Floats, slope0: Floats, rate: Floats) -> Floats:
+        """Mean strain of fibres, of filaments that slide each by a turn of its own."""
+        yarn = self.scene.yarn
+        share = 0.5 * yarn.bundle_factor * np.pi * yarn.radius**4 / 4.0 / yarn.section_area
+        axis = 0.5 * ((slope**2).sum(-1) - (slope0**2).sum(-1))
+        return np.asarray(axis + share * (rate**2).sum((-1, -2)))
 
     def _tilting(self, now: Floats) -> float:
         """Energy of the shear between sections and the central difference of positions, mJ."""
@@ -115,6 +125,15 @@ class Yarns:
             tilts.append(np.einsum("yeai,yei->yea", g, tangent))
         stiffness = TILT * yarn.shear_modulus * yarn.section_area * span / 2.0
         return 0.5 * float((stiffness * ((tilts[0] - tilts[1]) ** 2).sum(-1)).sum())
+
+
+def _moved(slope: Floats, g: Floats, slope0: Floats, g0: Floats) -> Floats:
+    """Deformation of sections and axis, transposed."""
+    now, rest = (
+        np.concatenate([directors, axis[..., None, :]], axis=-2)
+        for directors, axis in ((g, slope), (g0, slope0))
+    )
+    return np.asarray(np.linalg.inv(rest) @ now)
 
 
 def _frames(q: Floats, lengths: Floats) -> tuple[Floats, Floats, Floats]:

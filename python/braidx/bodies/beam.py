@@ -40,6 +40,8 @@ class BeamBody(CurveBody):
         natural_state: "as placed": the reference is free of stress; "straight": the yarn would be
             straight and untwisted if it were set free.
         tension: Axial force in the reference state, N; one value, one per curve or one per element.
+        axial_law: Of the force along fibres: linear in their Green-Lagrange strain ("Saint-Venant-Kirchhoff"), or in
+            their stretch ("linear").
     """
 
     def __init__(
@@ -55,6 +57,7 @@ class BeamBody(CurveBody):
         torsion_factor: npt.ArrayLike | None = None,
         natural_state: NaturalState = "as placed",
         tension: npt.ArrayLike = 0.0,
+        axial_law: beam.AxialLaw = "Saint-Venant-Kirchhoff",
     ) -> None:
         positions = stack_lines(centre_lines)
         if directors is None:
@@ -83,12 +86,13 @@ class BeamBody(CurveBody):
         step = beam.current_frame(self._step, self._tangent)
         constants = beam.Section(*_components(self._section))
         law = TransverselyIsotropic(*_components(self._material))
-        is_at, was_at = beam.products(now), beam.products(placed)
-        foreseen = is_at.less(beam.products(step))
+        is_at, was_at, moved = (
+            beam.products(beam.relative(frame, placed, constants)) for frame in (now, placed, step)
+        )
         self._set_energy(
-            beam.energy(is_at, was_at, constants, law, degree),
-            beam.axial_force(now, placed, constants, law),
-            beam.energy(foreseen, was_at, constants, law, degree),
+            beam.energy(is_at, was_at, constants, law, degree, axial_law),
+            beam.axial_force(now, placed, constants, law, axial_law),
+            beam.energy(is_at.less(moved), was_at, constants, law, degree, axial_law),
         )
 
     def set_properties(

@@ -55,6 +55,7 @@ def beam_body(
         torsion_factor=yarn.torsion_factor,
         natural_state="straight" if yarn.natural_state == "straight" else "as placed",
         tension=tension,
+        axial_law="linear" if yarn.axial_law == "linear" else "Saint-Venant-Kirchhoff",
     )
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from mpi4py import MPI
@@ -155,11 +156,11 @@ def _check_directors(rods: Sequence[Rod]) -> None:
 
 def _groups(rods: Sequence[Rod]) -> list[list[int]]:
     """Rods that can be one body, curves before solids."""
-    groups: dict[tuple[bool, str, int, str], list[int]] = {}
+    kinds = {Cable: (), Beam: ("natural_state", "axial_law"), Solid: ("law",)}
+    groups: dict[tuple[Any, ...], list[int]] = {}
     for number, rod in enumerate(rods):
-        kind = {Beam: "natural_state", Solid: "law"}.get(type(rod), "")
-        solid = isinstance(rod, Solid)
-        key = (solid, type(rod).__name__, rod.degree, str(getattr(rod, kind, "")))
+        kind = [getattr(rod, name) for name in kinds[type(rod)]]
+        key = (isinstance(rod, Solid), type(rod).__name__, rod.degree, *kind)
         groups.setdefault(key, []).append(number)
     return [groups[key] for key in sorted(groups, key=lambda key: key[0])]
 

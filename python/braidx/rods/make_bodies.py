@@ -14,7 +14,7 @@ from .sections import directors_of
 
 
 def make_body(comm: MPI.Comm, rods: Sequence[Rod]) -> CurveBody | SolidBody:
-    """One body of rods of one model, degree, and law or natural state, in their order."""
+    """One body of rods of one model, degree, law and natural state, in their order."""
     solids = [rod for rod in rods if isinstance(rod, Solid)]
     if solids:
         return _solid_body(comm, solids)
@@ -45,6 +45,7 @@ def make_body(comm: MPI.Comm, rods: Sequence[Rod]) -> CurveBody | SolidBody:
         ],
         natural_state=beams[0].natural_state,
         tension=tension,
+        axial_law=beams[0].axial_law,
     )
 
 

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from ..bodies import BeamSection, YarnMaterial
 from ..bodies.solid import Law
+from ..forms.beam import AxialLaw
 from ..forms.materials import TransverselyIsotropic, stiffness
 from ..meshing import SectionMesh, round_section
 
@@ -70,6 +71,8 @@ class Beam:
         natural_state: "as placed": the line is free of stress; "straight": the rod would be straight if set free.
         tension: In the line as it is given, N.
         density: Mass per volume, t/mm^3 (1e-9 of kg/m^3); used by `Rods.run`.
+        axial_law: Of the force along fibres: linear in their Green-Lagrange strain ("Saint-Venant-Kirchhoff", as in
+            solids; 1.5 % off Hooke's law at 1 % strain), or in their stretch ("linear").
     """
 
     line: Floats
@@ -83,6 +86,7 @@ class Beam:
     natural_state: Literal["as placed", "straight"] = "as placed"
     tension: float = 0.0
     density: float = 0.0
+    axial_law: AxialLaw = "Saint-Venant-Kirchhoff"
 
     def __post_init__(self) -> None:
         if self.section is None:

@@ -97,6 +97,12 @@ class YarnModel(Table):
         choices=("as placed", "straight"),
         doc="Shape in which a beam is free of bending and torsion.",
     )
+    axial_law: str = option(
+        "Saint-Venant-Kirchhoff",
+        choices=("Saint-Venant-Kirchhoff", "linear"),
+        doc="Force along the fibres of beams: linear in their Green-Lagrange strain, as in solids, or in their "
+        "stretch, as in cables; 1.5 % apart at 1 % strain. It is that of a core of beams too.",
+    )
     # left out only until the scene is made, see defaults.py
     degree: int = option(
         None,
@@ -140,6 +146,7 @@ class YarnModel(Table):
     def __post_init__(self) -> None:
         super().__post_init__()
         self._check_solid()
+        self._check_axial_law()
         axial_modulus = self.axial_stiffness / self.section_area
         ratio = self.transverse_modulus / axial_modulus
         if 1.0 - self.poisson_transverse - 2.0 * self.poisson_axial**2 * ratio <= 0.0:
@@ -162,6 +169,13 @@ class YarnModel(Table):
             if model not in MODELS:
                 cure = f"choose {' or '.join(MODELS)}; {nearest(model, MODELS)}"
                 raise SceneError(f"yarn.models.{number}", cure, model)
+
+    def _check_axial_law(self) -> None:
+        models = {self.model, *self.models.values()}
+        beams = models & {"beam", "auto"} or ("mixed" in models and self.outer_model == "beam")
+        if self.axial_law == "linear" and not beams:
+            cure = 'no yarn is a beam; leave it out, or use yarn.model = "beam".'
+            raise SceneError("yarn.axial_law", cure, self.axial_law)
 
     def model_of(self, number: int) -> str:
         """Model of a yarn, by its number."""

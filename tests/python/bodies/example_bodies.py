@@ -43,7 +43,8 @@ def make_body(model: str, degree: int, comm: MPI.Comm = MPI.COMM_SELF) -> CurveB
         bundle_factor=[0.05, 0.6],
         torsion_factor=0.3,
         natural_state="straight" if model == "straight beam" else "as placed",
-        tension=[2.0, 3.0] if model == "tense beam" else 0.0,
+        tension=[2.0, 3.0] if model in ("tense beam", "linear beam") else 0.0,
+        axial_law="linear" if model == "linear beam" else "Saint-Venant-Kirchhoff",
     )
 
 

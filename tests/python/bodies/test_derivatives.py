@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from example_bodies import cached_body, dense_tangent, random_state
 
-CASES = [(m, d) for m in ("cable", "beam", "straight beam", "tense beam") for d in (1, 2)]
+MODELS = ("cable", "beam", "straight beam", "tense beam", "linear beam")
+CASES = [(model, degree) for model in MODELS for degree in (1, 2)]
 STEP = 1e-5
 
 

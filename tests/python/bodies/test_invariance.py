@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 
 
 @pytest.mark.parametrize("degree", [1, 2])
-@pytest.mark.parametrize("model", ["cable", "beam"])
+@pytest.mark.parametrize("model", ["cable", "beam", "linear beam"])
 def test_rigid_motion(model, degree):
     body = cached_body(model, degree)
     state = random_state(body)
@@ -25,7 +25,7 @@ def test_rigid_motion(model, degree):
 
 
 @pytest.mark.parametrize("degree", [1, 2])
-@pytest.mark.parametrize("model", ["cable", "beam"])
+@pytest.mark.parametrize("model", ["cable", "beam", "linear beam"])
 def test_internal_forces_are_in_equilibrium(model, degree):
     body = cached_body(model, degree)
     state = random_state(body)

@@ -48,6 +48,8 @@ def beam_line(degree: int = 1) -> BeamLine:
     rest.x.array[:] = np.hstack([points, directors])[mesh.space_nodes(space)].ravel()
     state.x.array[:] = rest.x.array
     tangent = unit_tangent(mesh.mesh.ufl_domain())
-    now, placed = beam.current_frame(state, tangent), beam.rest_frame(rest, tangent)
-    parts = beam.energy(beam.products(now), beam.products(placed), SECTION, LAW, degree)
+    placed = beam.rest_frame(rest, tangent)
+    frames = (beam.current_frame(state, tangent), placed)
+    now, was = (beam.products(beam.relative(frame, placed, SECTION)) for frame in frames)
+    parts = beam.energy(now, was, SECTION, LAW, degree)
     return BeamLine(state, parts)

@@ -3,6 +3,8 @@
 A wire's own stiffnesses E A, E I, G J and the helix angle a from the cross-section plane, s = sin a, c = cos a, give
 K11 (force per strain), K12 = K21 (force per twist, couple per strain) and K22 (couple per twist). The penalty lets
 the helix shrink by delta_r = q / k, q the force on the core per length of the strand. Exact for rigid sections.
+Wires are curved bars, as thick as they are: fibres on the inside are shorter at rest, and a stretch e of the axis adds
+- e c^2 / r to the change of the rate of rotation, from which Winkler's theory takes the couple of bending.
 """
 
 import numpy as np
@@ -30,11 +32,13 @@ def closed_form(bending, penalty=PENALTY):
         MODULUS * wire.area * s * c**4 / (penalty * r**2)
     )  # delta_r c^2 / r over axial strain
     axial = MODULUS * wire.area / (1 + shrinkage)
-    k11 = axial * s**3 + flexural * s**3 * c**4 / r**2 + torsion * s * c**6 / r**2
-    k12 = axial * r * s**2 * c - flexural * s**2 * c**3 * (1 + s**2) / r + torsion * s**4 * c**3 / r
-    k22 = axial * r**2 * s * c**2 + flexural * s * c**2 * (1 + s**2) ** 2 + torsion * s**7
+    stretch = np.array([s**2, r * s * c])
+    curvature = np.array([-(s**2) * c**2 / r, s * c * (1 + s**2)]) - c**2 / r * stretch
+    twist = np.array([s * c**3 / r, s**4])
+    parts = zip((axial, flexural, torsion), (stretch, curvature, twist))
+    wires = WIRES * sum(stiffness * np.outer(rate, rate) for stiffness, rate in parts) / s
     own = np.array([[MODULUS * core.area, 0], [0, bending * SHEAR * core.torsion_constant]])
-    return own + WIRES * np.array([[k11, k12], [k12, k22]])
+    return own + wires
 
 
 def strand(beams, spans=SPANS, degree=DEGREE, **options):
@@ -109,9 +113,9 @@ def stiffness(beams, **options):
 
 @pytest.mark.parametrize("beams", [True, False], ids=["beams", "cables"])
 def test_stiffness(record, beams):
-    """Cables meet it to 2e-4. The curvature of beams, x' . g', grows with the stretch: 0.3 % here."""
+    """Without the wires' thickness in the closed form K12 of beams would be missed by 0.3 %."""
     exact, got = closed_form(float(beams)), stiffness(beams)
     kind = "beams" if beams else "cables"
     for row, column in ((0, 0), (0, 1), (1, 0), (1, 1)):
         what = f"strand of 1 + 6 {kind}: K{row + 1}{column + 1}"
-        record.check("R1", what, got[row, column], exact[row, column], 5e-3)
+        record.check("R1", what, got[row, column], exact[row, column], 1e-3)

@@ -9,10 +9,10 @@ from braidx.rods import Beam, BeamSection, Rods, YarnMaterial, straight
 TABLE = np.array(list(ELASTICA.values()))
 
 
-def cantilever(section, material, num_elements, degree=2):
+def cantilever(section, material, num_elements, degree=2, **options):
     """Length and EI are 1; clamped at the origin, along x."""
     line = straight((0, 0, 0), (1, 0, 0), num_elements * degree)
-    rods = Rods([Beam(line, 0.01, material, section, degree=degree)], tolerance=1e-9)
+    rods = Rods([Beam(line, 0.01, material, section, degree=degree, **options)], tolerance=1e-9)
     rods.clamp(0, 0)
     return rods
 
@@ -34,10 +34,10 @@ def shear_rigid(num_elements, degree):
 
 
 def slender(slenderness, num_elements):
-    """Round rod of diameter 1 / slenderness, EI = 1, nu = 0."""
+    """Round rod of diameter 1 / slenderness, EI = 1, nu = 0, linear in the stretch of its fibres as the table is."""
     section = BeamSection.round(0.5 / slenderness)
     material = YarnMaterial.isotropic(1.0 / section.inertia_1, 0.0)
-    return cantilever(section, material, num_elements)
+    return cantilever(section, material, num_elements, axial_law="linear")
 
 
 def test_table(record):

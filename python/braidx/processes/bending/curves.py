@@ -64,6 +64,7 @@ def beams(comm: MPI.Comm, scene: Scene, lines: Sequence[Line], core: Line | None
         directors=[line.directors for line in everything],
         bundle_factor=bending,
         torsion_factor=torsion,
+        axial_law="linear" if scene.yarn.axial_law == "linear" else "Saint-Venant-Kirchhoff",
     )
 
 
