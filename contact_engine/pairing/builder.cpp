@@ -83,8 +83,9 @@ ContactElements Builder::zone(const ProximityZone& zone,
                               const std::vector<Station>& stations) const {
     const auto a = zone.tube_a, b = zone.tube_b;
     const auto movable = [&](std::int32_t t, double s) {
-        return s > surfaces_.tube(t).first_element() && s < surfaces_.tube(t).end_element() &&
-               (surfaces_.tube(t).smooth || surfaces_.tube(t).degree == 2);
+        const Tube& tube = surfaces_.tube(t);
+        return (tube.is_closed || (s > tube.first() && s < tube.end())) &&
+               (tube.smooth || tube.degree == 2);
     };
     ContactElements out;
     for (const auto& s : stations) {

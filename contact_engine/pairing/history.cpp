@@ -24,11 +24,11 @@ double History::along_tubes(const ContactElement& old, const ContactElement& ele
     const Tube& a = surfaces_.tube(element.surface_a);
     double apart = old.s_a - element.s_a;
     const double periods = a.is_periodic() ? std::round(apart / a.num_elements) : 0;
-    apart = std::abs(apart - periods * a.num_elements) * a.element_length;
+    apart = a.apart(apart, periods * a.num_elements) * a.element_length;
     if (against_rigid(element) || element.facet_b >= 0)
         return apart;
     const Tube& b = surfaces_.tube(element.surface_b);
-    return apart + std::abs(old.s_b - periods * b.num_elements - element.s_b) * b.element_length;
+    return apart + b.apart(old.s_b - periods * b.num_elements, element.s_b) * b.element_length;
 }
 
 const ContactElement* History::predecessor(const ContactElement& element, double reach) const {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace braidx {
 namespace {
@@ -59,6 +60,16 @@ bool covers(const ProximityZone& zone, const Station& s) {
     });
 }
 
+/// Adds a point station of a zone; one that has come over the joint of a closed tube is left to the
+/// zone there.
+void add_own(std::vector<Station>& points, const TubePair& pair, const ProximityZone& zone,
+             Station point, double spacing) {
+    point.s_a = pair.a.once_around(point.s_a);
+    point.s_b = pair.b.once_around(point.s_b);
+    if (covers(zone, point))
+        add_point(points, pair, point, spacing);
+}
+
 /// Numbers of periods away from an element where it occurs again.
 std::vector<int> periods_of(const TubePair& pair) {
     return pair.a.is_periodic() && pair.b.is_periodic() ? std::vector{0, -1, 1} : std::vector{0};
@@ -82,9 +93,8 @@ std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone
             const auto at = pair.closest(arc_a, arc_b);
             if (!at || std::abs(at->first - arc_a) > farthest_jump * spacing)
                 continue;
-            const auto kept = pair.station(at->first, at->second, old.weight, point_station);
-            if (covers(zone, kept))
-                add_point(out, pair, kept, spacing);
+            add_own(out, pair, zone, pair.station(at->first, at->second, old.weight, point_station),
+                    spacing);
         }
     });
     return out;
@@ -111,7 +121,10 @@ void ease(std::vector<Station>& points, const std::vector<Station>& before, cons
 std::vector<Station> new_points(const TubePair& pair, const ProximityZone& zone,
                                 const std::vector<Station>& line, const History& history,
                                 double spacing, double tolerance) {
-    auto out = point_stations(pair, line, spacing, tolerance);
+    std::vector<Station> out = point_stations(pair, line, spacing, tolerance);
+    if (pair.a.is_closed || pair.b.is_closed)
+        for (const auto& found : std::exchange(out, {}))
+            add_own(out, pair, zone, found, spacing);
     const auto before = kept_points(pair, zone, history, spacing);
     for (auto old : before) {
         old.weight = point_weight(pair, old.s_a * pair.a.element_length,

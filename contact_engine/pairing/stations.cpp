@@ -12,8 +12,8 @@ namespace {
 /// Curve point at a rest arc length (mm). Past its ends a curve goes on straight, so that the cell
 /// in which a tube ends is cut at the section of the other tube that faces the end.
 CurvePoint extended_point(const Tube& tube, Unknowns q, double arc) {
-    const double inside = std::clamp(arc, tube.low(), tube.high());
-    auto out = curve_point(tube, q, inside / tube.element_length);
+    const double s = tube.inside(arc / tube.element_length), inside = s * tube.element_length;
+    auto out = curve_point(tube, q, s);
     out.position += (arc - inside) * out.tangent;
     return out;
 }
@@ -39,7 +39,7 @@ std::optional<double> TubePair::facing(double mean, double half_difference) cons
 
 std::optional<std::pair<double, double>> TubePair::closest(double arc_a, double arc_b) const {
     const auto inside = [](const Tube& tube, double arc) {
-        return arc >= tube.low() && arc <= tube.high();
+        return tube.is_closed || (arc >= tube.low() && arc <= tube.high());
     };
     std::optional<std::pair<double, double>> best;
     double best_distance = std::numeric_limits<double>::infinity();
@@ -105,11 +105,7 @@ double TubePair::sharpness(double arc_a, double arc_b) const {
 }
 
 Station TubePair::station(double arc_a, double arc_b, double weight, std::int64_t index) const {
-    const auto within = [](const Tube& tube, double arc) {
-        return std::clamp(arc / tube.element_length, double(tube.first_element()),
-                          double(tube.end_element()));
-    };
-    return {within(a, arc_a), within(b, arc_b), weight, index};
+    return {a.inside(arc_a / a.element_length), b.inside(arc_b / b.element_length), weight, index};
 }
 
 double cell_length(const Tube& a, const Tube& b, double spacing) {

@@ -16,7 +16,7 @@ namespace braidx {
 namespace {
 
 bool neighbours(const Tube& tube, const Chord& a, const Chord& b, double self_exclusion) {
-    const double apart = (std::abs(a.element - b.element) - 1) * tube.element_length;
+    const double apart = (tube.apart(a.element, b.element) - 1) * tube.element_length;
     return apart < self_exclusion * tube.radius;
 }
 

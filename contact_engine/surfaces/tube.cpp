@@ -36,7 +36,8 @@ Support smooth_support(const Tube& tube, double s) {
         v[far] -= v[phantom];
         v[phantom] = 0.0;
     };
-    const bool first = e == tube.first_element(), last = e == tube.end_element() - 1;
+    const bool first = !tube.is_closed && e == tube.first_element(),
+               last = !tube.is_closed && e == tube.end_element() - 1;
     if (first) {
         fold(w, 0, 1, 2);
         fold(d, 0, 1, 2);

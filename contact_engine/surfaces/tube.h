@@ -13,7 +13,8 @@ namespace braidx {
 ///
 /// Material coordinates `s` count elements: s = 0 at the first node, s = num_elements at the last
 /// one. The tube of a periodic sample goes on past both for `beyond` elements, whose nodes repeat
-/// those at its other end.
+/// those at its other end. A closed tube has no ends: its first node follows its last one, and s
+/// counts on round it. It is looked at once around, from `joint` to joint + num_elements.
 struct Tube {
     std::int64_t first_unknown; ///< engine number of the first unknown of the first node
     std::int32_t num_elements;
@@ -26,24 +27,49 @@ struct Tube {
     bool is_image = false;   ///< its equilibrium repeats that of another tube, by symmetry: nobody
                              ///< asks for the rows of its unknowns in residual and tangent
     std::int32_t beyond = 0; ///< elements past either end, for contact across the ends of a sample
-    int group = -1; ///< surfaces of one group, from 0, are never paired: pieces of one yarn
+    int group = -1;         ///< surfaces of one group, from 0, are never paired: pieces of one yarn
+    bool is_closed = false; ///< of num_elements * degree nodes
+
+    /// Not at a node, where contacts may be by symmetry, and on either side but for round-off.
+    static constexpr double joint = 0.31;
 
     bool is_polygon() const { return degree == 1 && !smooth; }
     bool is_periodic() const { return beyond > 0; }
     std::int32_t first_element() const { return -beyond; }
-    std::int32_t end_element() const { return num_elements + beyond; } ///< one past the last
-    /// Rest arc lengths of the two ends of all that there is, mm.
-    double low() const { return first_element() * element_length; }
-    double high() const { return end_element() * element_length; }
+    /// One past the last; the first element of a closed tube comes again as its last one.
+    std::int32_t end_element() const { return num_elements + beyond + (is_closed ? 1 : 0); }
+    /// Material coordinates of the two ends of all that there is.
+    double first() const { return is_closed ? joint : first_element(); }
+    double end() const { return is_closed ? joint + num_elements : end_element(); }
+    /// Rest arc lengths there, mm.
+    double low() const { return first() * element_length; }
+    double high() const { return end() * element_length; }
+    /// The nearest place that there is; a closed tube goes on past its joint.
+    double inside(double s) const { return is_closed ? s : std::clamp(s, first(), end()); }
+    /// The same place, counted once around.
+    double once_around(double s) const {
+        return is_closed ? s - num_elements * std::floor((s - joint) / num_elements) : s;
+    }
+    /// Elements from one place to another, by the shorter way.
+    double apart(double s, double t) const {
+        const double along = std::abs(s - t);
+        return is_closed ? std::abs(along - num_elements * std::round(along / num_elements))
+                         : along;
+    }
     double length() const { return num_elements * element_length; }
     std::int32_t num_nodes() const { return num_elements * degree + 1; }
     bool has_directors() const { return block == 9; }
     /// Finite element that holds s; the first one where s is not a number.
     std::int32_t element_of(double s) const {
+        const std::int32_t more = is_closed ? num_elements : 0; // what sections may go past a joint
         return static_cast<std::int32_t>(
-            std::fmin(std::fmax(std::floor(s), first_element()), end_element() - 1));
+            std::fmin(std::fmax(std::floor(s), first_element() - more), end_element() - 1 + more));
     }
     std::int64_t unknown_of(std::int32_t node) const {
+        if (is_closed) {
+            const std::int32_t count = num_elements * degree;
+            node = (node % count + count) % count;
+        }
         return first_unknown + std::int64_t{node} * block;
     }
 };

@@ -25,6 +25,7 @@ class TubeLayout:
         beyond: Elements that tubes go on for past either end, as they do at the other end (periodic samples).
         group: Tubes and skins of one group, from 0, never touch, a tube itself excepted; -1: no group. Shape
             (num_tubes,); None: no groups.
+        is_closed: Whether a tube is a ring, whose last node is its first one, shape (num_tubes,); None: nowhere.
         is_image: Whether the equilibrium of a tube repeats another's by symmetry, shape (num_tubes,); None: nowhere.
     """
 
@@ -38,6 +39,7 @@ class TubeLayout:
     beyond: int = 0
     is_image: npt.NDArray[np.bool_] | None = None
     group: Ints | None = None
+    is_closed: npt.NDArray[np.bool_] | None = None
 
 
 def no_tubes() -> TubeLayout:
@@ -70,9 +72,14 @@ def engine_tubes(layout: TubeLayout, smooth: bool, beyond: Beyond | None = None)
         is_image=is_image,
         smooth=smooth,
         beyond=layout.beyond,
-        group=[] if layout.group is None else [int(g) for g in layout.group],
+        group=_listed(layout.group),
+        closed=_listed(layout.is_closed),
         **int32,
     )
+
+
+def _listed(values: npt.NDArray[Any] | None) -> list[int]:
+    return [] if values is None else [int(value) for value in values]
 
 
 def no_crossings() -> Any:

@@ -49,6 +49,8 @@ def make_contact(
 def _refuse_open_rings(layout: Layout) -> None:
     """The ends of a rod that begins where it ends are in each other, and would push each other away."""
     for rod, radius in enumerate(layout.radius):
+        if rod in layout.joints.rods:
+            continue
         ends = layout.rest[layout.unknowns(rod, [0, -1])[:, :3]]
         apart = float(np.linalg.norm(ends[1] - ends[0]))
         if apart < radius:

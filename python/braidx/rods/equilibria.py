@@ -261,8 +261,8 @@ class Equilibria:
         self.system.set_state(q)
         residual = self.system.residual()
         self.system.terms = everything
-        for sections in self._layout.sections.values():
-            sections.fold(residual)
+        for dependent in self._layout.dependents:
+            dependent.fold(residual)
         return residual
 
     def _ask_for(self, share: float) -> None:

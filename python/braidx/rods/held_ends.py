@@ -39,13 +39,15 @@ class HeldEnds:
         pieces = [_pieces(layout, rod, is_held) for rod in range(len(layout.first))]
         self._rods = np.repeat(np.arange(len(pieces)), [len(piece) for piece in pieces])
         self._nodes = np.concatenate(pieces)
-        block, first = layout.block[self._rods, None], layout.first[self._rods, None]
-        self._unknowns = (first + block * self._nodes)[:, :, None] + np.arange(3)
+        positions = [layout.unknowns(rod, slice(None))[:, :3] for rod in range(len(pieces))]
+        self._unknowns = np.concatenate(
+            [own[piece] for own, piece in zip(positions, pieces, strict=True)]
+        )
         self._rest = layout.rest
-        lines = [
-            layout.rest[layout.unknowns(rod, slice(None))[:, :3]] for rod in range(len(pieces))
-        ]
+        lines = [layout.rest[own] for own in positions]
         arcs = [np.append(0.0, np.linalg.norm(np.diff(x, axis=0), axis=1).cumsum()) for x in lines]
+        closed = [arc[-1] if i in layout.joints.rods else np.inf for i, arc in enumerate(arcs)]
+        self._around = np.array(closed)[self._rods]
         self._arcs = np.concatenate(
             [arc[piece[:, 0]] for arc, piece in zip(arcs, pieces, strict=True)]
         )
@@ -98,7 +100,8 @@ class HeldEnds:
         a, b = cKDTree(ends.mean(axis=1)).query_pairs(reach, output_type="ndarray").T
         same = self._rods[a] == self._rods[b]
         exclusion = self._contact.pairing.search.self_exclusion * self._radius[self._rods[a]]
-        may = np.abs(self._arcs[a] - self._arcs[b]) > exclusion
+        along = np.abs(self._arcs[a] - self._arcs[b])
+        may = np.minimum(along, self._around[a] - along) > exclusion
         may[~same] = self._contact.layout.group is None
         return a[may], b[may]
 

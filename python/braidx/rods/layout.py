@@ -17,6 +17,7 @@ from ..bodies.frames import check_right_handed
 from ..contact.skins import SkinLayout
 from ..contact.tubes import TubeLayout
 from ..system.terms import Floats, Ints
+from .closed import Joints, check_rings
 from .make_bodies import make_body
 from .rod import Beam, Cable, Rod, Solid
 from .sections import SolidSections
@@ -41,6 +42,7 @@ class Layout:
         tubes, skins: What contact sees of cables and beams, and of solids.
         surface_rods: Rod of each surface, tubes first, shape (num_rods,).
         sections: Of each solid, by number of the rod.
+        joints: Of closed rods.
         place: Body, and curve or part in it, of each rod, shape (num_rods, 2).
         round_off: Norm of what round-off of positions leaves of internal forces, N: no residual gets smaller.
     """
@@ -60,11 +62,19 @@ class Layout:
     skins: SkinLayout | None
     surface_rods: Ints
     sections: dict[int, SolidSections]
+    joints: Joints
     place: Ints
     round_off: float
 
+    @property
+    def dependents(self) -> list[SolidSections | Joints]:
+        """What follows other unknowns, or has others follow it."""
+        return [*self.sections.values(), self.joints]
+
     def unknowns(self, rod: int, nodes: int | slice | Sequence[int]) -> Ints:
         """Unknowns of nodes of a rod, shape (n, block); nodes may count from the end.
+
+        The last node of a closed rod is its first one.
 
         Raises:
             IndexError: If there is no such rod or node.
@@ -72,6 +82,8 @@ class Layout:
         if not 0 <= rod < len(self.first):
             raise IndexError(f"rod {rod}: there are rods 0 to {len(self.first) - 1}")
         chosen = np.atleast_1d(np.arange(self.num_nodes[rod])[nodes])
+        if rod in self.joints.rods:
+            chosen %= self.num_nodes[rod] - 1
         block = self.block[rod]
         return np.asarray(self.first[rod] + block * chosen[:, None] + np.arange(block))
 
@@ -101,6 +113,7 @@ def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
     if not rods:
         raise ValueError("rods is empty: give one Cable, Beam or Solid at least")
     _check_directors(rods)
+    check_rings(rods)
     groups = _groups(rods)
     bodies = tuple(make_body(comm, [rods[i] for i in members]) for members in groups)
     first_body = np.cumsum([0, *(body.num_unknowns for body in bodies)])
@@ -125,6 +138,10 @@ def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
             mass[unknowns] = masses
         else:
             mass[own] = (share[:, None] * _mass_per_length(rod)).ravel()
+    joints = Joints.of(rods, first, block)
+    rest[joints.followers] = rest[joints.leaders]
+    joints.fold(lengths)
+    joints.fold(mass)
     curves = [i for i, rod in enumerate(rods) if not isinstance(rod, Solid)]
     return Layout(
         bodies,
@@ -142,6 +159,7 @@ def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:
         skins_of(rods, bodies, first_body, place),
         np.array(curves + list(sections), dtype=np.int64),
         sections,
+        joints,
         place,
         float(np.linalg.norm([_round_off(rod) for rod in rods])),
     )

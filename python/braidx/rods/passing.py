@@ -72,6 +72,7 @@ class Chords:
         radius: Of each chord's rod as contact sees it, mm, shape (num_chords,).
         kept: Where on each chord, from 0 to 1, what counts begins and ends, shape (num_chords, 2): solids end in flat
             faces, which others touch near the centre line, and count from a radius away from them.
+        closed: Whether each chord's rod is, shape (num_chords,).
         self_exclusion: Radii along a rod within which it does not meet itself.
         others: Whether a rod may meet others.
     """
@@ -81,6 +82,7 @@ class Chords:
     rod: Ints
     radius: Floats
     kept: Floats
+    closed: npt.NDArray[np.bool_]
     self_exclusion: float
     others: bool
 
@@ -96,7 +98,8 @@ class Chords:
         exclusion = float(contact.pairing.search.self_exclusion)
         others = contact.layout.group is None
         kept = np.concatenate([_kept(layout, rod) for rod in rods])
-        return cls(positions, first, rod, radius[rod], kept, exclusion, others)
+        closed = np.isin(rod, list(layout.joints.rods))
+        return cls(positions, first, rod, radius[rod], kept, closed, exclusion, others)
 
     def longest(self, state: Floats) -> float:
         """Length of the longest chord, mm."""
@@ -134,9 +137,12 @@ class Chords:
 
     def _may_meet(self, i: Ints, j: Ints, length: Floats) -> npt.NDArray[np.bool_]:
         """Whether chords i < j are of rods that may meet, or far from each other on one that may meet itself."""
-        end = np.cumsum(length)
-        apart = end[j] - length[j] - end[i] > self.self_exclusion * self.radius[i]
-        return np.where(self.rod[i] == self.rod[j], apart, self.others)
+        end, whole = np.cumsum(length), np.bincount(self.rod, length)
+        apart = end[j] - length[j] - end[i]
+        round_joint = whole[self.rod[i]] - apart - length[i] - length[j]
+        apart = np.where(self.closed[i], np.minimum(apart, round_joint), apart)
+        may_itself = apart > self.self_exclusion * self.radius[i]
+        return np.where(self.rod[i] == self.rod[j], may_itself, self.others)
 
 
 def _kept(layout: Layout, rod: int) -> Floats:

@@ -30,6 +30,7 @@ class Cable:
         axial_stiffness: EA, N.
         tension: In the line as it is given, N.
         degree: Of its elements, 1 or 2; one element takes `degree` spans between nodes.
+        closed: Whether it is a ring: the line ends at its first node, once more, and its sections there are one.
         density: Mass per volume, t/mm^3 (1e-9 of kg/m^3); used by `Rods.run`.
     """
 
@@ -39,6 +40,7 @@ class Cable:
     tension: float = 0.0
     degree: int = 2
     density: float = 0.0
+    closed: bool = False
 
     @property
     def section(self) -> BeamSection:
@@ -70,6 +72,7 @@ class Beam:
         bundle_factor, torsion_factor: On the stiffness in bending and in torsion (the same by default).
         natural_state: "as placed": the line is free of stress; "straight": the rod would be straight if set free.
         tension: In the line as it is given, N.
+        closed: Whether it is a ring: the line ends at its first node, once more, and its sections there are one.
         density: Mass per volume, t/mm^3 (1e-9 of kg/m^3); used by `Rods.run`.
         axial_law: Of the force along fibres: linear in their Green-Lagrange strain ("Saint-Venant-Kirchhoff", as in
             solids; 1.5 % off Hooke's law at 1 % strain), or in their stretch ("linear").
@@ -87,6 +90,7 @@ class Beam:
     tension: float = 0.0
     density: float = 0.0
     axial_law: AxialLaw = "Saint-Venant-Kirchhoff"
+    closed: bool = False
 
     def __post_init__(self) -> None:
         if self.section is None:
@@ -128,6 +132,7 @@ class Solid:
         seeds: Edges round the section by default, a multiple of four.
         law: See SolidBody.
         tension: In the line as it is given, N; of the transversely isotropic law only.
+        closed: False: rings are cables or beams.
         density: Mass per volume, t/mm^3 (1e-9 of kg/m^3); used by `Rods.run`.
     """
 
@@ -141,8 +146,13 @@ class Solid:
     law: Law = "transversely isotropic"
     tension: float = 0.0
     density: float = 0.0
+    closed: bool = False
 
     def __post_init__(self) -> None:
+        if self.closed:
+            raise ValueError(
+                "closed = True: a Solid has two ends, give a Beam or a Cable for a ring"
+            )
         if self.section is None:
             section = round_section(self.radius, self.seeds, degree=self.degree, equal_area=True)
             object.__setattr__(self, "section", section)

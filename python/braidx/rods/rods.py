@@ -86,7 +86,7 @@ class Rods(RodState):
         self.comm, self.rods = comm, list(rods)
         self.layout = lay_out(comm, rods)
         self.q = self.layout.rest.copy()
-        self.supports = Supports(self.layout.rest, list(self.layout.sections.values()))
+        self.supports = Supports(self.layout.rest, self.layout.dependents)
         self.loads = Loads(self.layout)
         self.contact = make_contact(comm, self.layout, contact, self_contact, spacing)
         self.contact.rigid = list(rigid)

@@ -10,6 +10,7 @@ import numpy as np
 from ..bodies.frames import rotation_minimising_frames
 from ..system.constraints import Constraints
 from ..system.terms import Floats, Ints
+from .closed import ring_directors
 from .rod import Beam, Solid
 
 Follow = tuple[Ints, Ints, Floats]  # followers, leaders and factors, see Constraints.combine_each
@@ -103,6 +104,8 @@ def _each(followers: Ints, leaders: Ints, factors: Floats) -> Follow:
 
 def directors_of(rod: Beam | Solid) -> Floats:
     """Directors at rest, shape (num_nodes, 2, 3)."""
+    if rod.directors is None and rod.closed:
+        return ring_directors(np.asarray(rod.line, dtype=float))
     if rod.directors is None:
         return rotation_minimising_frames([rod.line])[0]
     return np.asarray(rod.directors, dtype=np.float64)

@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from ..system.constraints import ConstraintMap, Constraints
 from ..system.terms import Floats, Ints
+from .closed import Joints
 from .sections import SolidSections
 
 
@@ -51,8 +52,8 @@ class Supports:
         means: Values that held means have now, mm, one array of shape (num_components,) per group.
     """
 
-    def __init__(self, rest: Floats, sections: Sequence[SolidSections] = ()) -> None:
-        self._sections = sections
+    def __init__(self, rest: Floats, dependents: Sequence[SolidSections | Joints] = ()) -> None:
+        self._dependents = dependents
         self.held = rest.copy()
         self.means: list[Floats] = []
         self.is_held = np.zeros(rest.size, dtype=bool)
@@ -117,8 +118,8 @@ class Supports:
     def constraints(self) -> ConstraintMap:
         """What the supports leave free."""
         constraints = Constraints(self.held.size)
-        for section in self._sections:
-            section.constrain(constraints)
+        for dependent in self._dependents:
+            dependent.constrain(constraints)
         constraints.hold(np.flatnonzero(self.is_held))
         for group in self.groups:
             for component in group.T:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
@@ -27,7 +28,9 @@ def tubes_of(
     order: list[int] = []
     for body, first, members in zip(bodies, first_body, groups, strict=False):
         if isinstance(body, CurveBody):
-            parts.append(body_tubes(body, [rods[i].radius for i in members], int(first)))
+            radius = [rods[i].radius for i in members]
+            closed = np.array([rods[i].closed for i in members])
+            parts.append(replace(body_tubes(body, radius, int(first)), is_closed=closed))
             order += members
     if not parts:
         return no_tubes()
@@ -79,7 +82,16 @@ def body_tubes(body: CurveBody, radius: npt.ArrayLike, first_unknown: int = 0) -
 def _joined(parts: Sequence[TubeLayout], order: Ints) -> TubeLayout:
     """Tubes of several bodies, each where `order` tells, shape (num_tubes,)."""
     back = np.argsort(order)  # ranks: solids among the rods are passed over
-    names = ("first_unknown", "num_elements", "degree", "block", "radius", "element_length", "body")
+    names = (
+        "first_unknown",
+        "num_elements",
+        "degree",
+        "block",
+        "radius",
+        "element_length",
+        "body",
+        "is_closed",
+    )
     return TubeLayout(
         **{name: np.concatenate([getattr(part, name) for part in parts])[back] for name in names}
     )
