@@ -32,18 +32,51 @@ def test_rods_placed_in_each_other_are_pushed_apart(height):
     assert not rods.loads.at(1.0)[0].any()
 
 
+def woven(overlap):
+    """Two by two woven yarns of radius 1, their crossings too low by a share of the sum of radii."""
+    pitch, yarns = 6.0, []
+    for number in range(2):
+        for along in range(2):
+            at = np.linspace(0.0, 2.0 * pitch, 25)
+            side = (-1) ** (number + along) * (1.0 - overlap)
+            line = np.full((25, 3), (number + 0.5) * pitch)
+            line[:, along], line[:, 2] = at, side * np.sin(np.pi * at / pitch)
+            yarns.append(Beam(line, 1.0, SOFT))
+    rods = Rods(yarns)
+    for number in range(4):
+        rods.clamp(number, [0, -1])
+    return rods
+
+
+@pytest.mark.parametrize("overlap", [0.02, 0.45])
+def test_yarns_woven_in_each_other_are_pushed_apart(overlap):
+    rods = woven(overlap)
+    rods.solve(max_cuts=0)
+    assert rods.contacts()["gap"].min() > -0.01 * 1.01
+    for number, along in enumerate([1.0, -1.0, -1.0, 1.0]):
+        height = along * rods.positions(number)[6, 2]
+        assert height == pytest.approx(1.0, abs=0.1)  # soft sections flatten where they touch
+
+
 def test_rods_with_one_centre_line_are_refused():
     rods = crossed(0.0)
     with pytest.raises(NotConverged, match="centre lines of rods 0 and 1 meet"):
         rods.solve()
 
 
-@pytest.mark.parametrize("degrees", [180.0])
+SNAPS = pytest.mark.xfail(
+    strict=True,
+    raises=NotConverged,
+    reason="loads that balance a ring at the start are dead, and let it snap while they go off",
+)
+
+
+@pytest.mark.parametrize("degrees", [180.0, pytest.param(350.0, marks=SNAPS)])
 def test_a_bent_rod_that_would_be_straight_opens(degrees):
     line = arc(30.0, np.radians(degrees), 32)
     rods = Rods([Beam(line, 1.0, STEEL, natural_state="straight")])
     rods.clamp(0, 0)
-    rods.solve(increments=8)
+    rods.solve(increments=8, max_cuts=0)
     end, length = rods.positions(0)[-1], 30.0 * np.radians(degrees)
     assert end == pytest.approx([length, 0.0, 0.0], abs=2e-3 * length)
     assert np.abs(rods.reaction(0, 0)[1]).max() < 1e-3
