@@ -240,8 +240,10 @@ class Equilibria:
 
     def friction(self, q: Floats) -> Floats:
         """Forces of friction on the rods at the state accepted last, shape (num_unknowns,), N and N mm."""
-        laws, everything = self._contact.laws, self._residual_of(q, [self._contact])
-        friction = laws.friction
+        laws, friction = self._contact.laws, self._contact.laws.friction
+        if not any(friction):
+            return np.zeros(q.size)
+        everything = self._residual_of(q, [self._contact])
         laws.friction = [0.0 for _ in friction]
         normal = self._residual_of(q, [self._contact])
         laws.friction = friction
