@@ -151,3 +151,24 @@ TEST_CASE("directors are interpolated by the finite element's own functions", "[
         CHECK((g - 0.75 * at_node(1) - 0.25 * at_node(2)).norm() < 1e-14);
     }
 }
+
+TEST_CASE("a closed tube goes on over its joint", "[tube]") {
+    constexpr int num_elements = 6;
+    for (const auto& kind : curve_kinds) {
+        Rods rods = random_curve(kind, 5);
+        Tube tube = rods.tubes[0];
+        tube.is_closed = true;
+        for (const double s : {-0.3, 0.0, 0.31, 2.7, 5.9}) {
+            const auto here = curve_point(tube, rods.q, s),
+                       around = curve_point(tube, rods.q, s + num_elements);
+            CHECK((here.position - around.position).norm() < 1e-13);
+            CHECK((here.tangent - around.tangent).norm() < 1e-13);
+            CHECK(std::abs(tube.once_around(s + 3 * num_elements) - tube.once_around(s)) < 1e-13);
+            CHECK((tube.once_around(s) >= tube.first() && tube.once_around(s) < tube.end()));
+        }
+        // The last node counts no more: the first one follows the one before.
+        const auto joint = position(tube, rods.q, num_elements);
+        CHECK((joint - vector_at(rods.q, tube.unknown_of(0))).norm() < 1e-13);
+        CHECK(std::abs(tube.apart(0.5, 5.5) - 1.0) < 1e-13);
+    }
+}
