@@ -127,7 +127,7 @@ NB_MODULE(braidx_engine, m) {
 
     m.def("make_tubes", &make_tubes, "first_unknown"_a, "num_elements"_a, "degree"_a, "block"_a,
           "radius"_a, "element_length"_a, "body"_a, "is_image"_a, "smooth"_a, "beyond"_a = 0,
-          "group"_a = std::vector<int>{}, "closed"_a = std::vector<int>{});
+          "group"_a = std::vector<int>{}, "closed"_a = std::vector<int>{}, "round_ends"_a = false);
     m.def("make_skin", &skin_from_arrays, "facets"_a, "body"_a, "radius"_a, "group"_a, "rest"_a,
           "dense"_a, "smooth"_a, "offset"_a);
     m.def(

@@ -12,12 +12,13 @@ struct Side {
     std::int32_t surface, facet;
     double s;
     const double (&xi)[2];
+    double round;
     bool of_b;
 
     Side(const DeformableSurfaces& all, const ContactElement& e, bool is_b)
         : surfaces(all), surface(is_b ? e.surface_b : e.surface_a),
           facet(is_b ? e.facet_b : e.facet_a), s(is_b ? e.s_b : e.s_a), xi(is_b ? e.xi_b : e.xi_a),
-          of_b(is_b) {}
+          round(is_b ? e.round_b : e.round_a), of_b(is_b) {}
 
     double sign() const { return of_b ? 1 : -1; }
 };
@@ -82,7 +83,8 @@ void add_half_width(LocalSystem& system, const Tube& tube, std::int32_t node, do
 }
 
 /// Adds a tube's part of the gap: the centre line at s, where it faces the other side; the half
-/// width at the element's own section.
+/// width at the element's own section, at ends as far as the normal is in that section, and the
+/// radius for the rest.
 void add_gap(LocalSystem& system, const Side& side, double s, Unknowns q) {
     const Tube& tube = side.surfaces.tube(side.surface);
     const bool of_b = side.of_b;
@@ -98,9 +100,11 @@ void add_gap(LocalSystem& system, const Side& side, double s, Unknowns q) {
         system.gap -= tube.radius;
         return;
     }
+    system.gap -= side.round * tube.radius;
     const Support section = element_support(tube, side.s);
     for (int i = 0; i < section.count; ++i)
-        add_half_width(system, tube, section.node[i], section.weight[i], of_b, q);
+        add_half_width(system, tube, section.node[i], (1 - side.round) * section.weight[i], of_b,
+                       q);
 }
 
 LocalSystem system_at(const DeformableSurfaces& surfaces, const ContactElement& e, Unknowns q,

@@ -32,6 +32,8 @@ inline nb::dict element_arrays(const ContactElements& elements) {
     out["stiffness"] = gather<double>(elements, 1, [](const E& e, auto) { return e.stiffness; });
     out["xi"] = gather<double>(
         elements, 4, [](const E& e, auto i) { return i < 2 ? e.xi_a[i] : e.xi_b[i - 2]; });
+    out["round"] =
+        gather<double>(elements, 2, [](const E& e, auto i) { return i ? e.round_b : e.round_a; });
     out["slip"] = gather<double>(elements, 3, [](const E& e, auto i) { return e.slip[i]; });
     out["work"] = gather<double>(elements, 1, [](const E& e, auto) { return e.work; });
     out["body_b"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.body_b; });
@@ -56,7 +58,7 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
                *stiffness = column<double>(arrays, "stiffness"), *xi = column<double>(arrays, "xi"),
                *slip = column<double>(arrays, "slip"), *work = column<double>(arrays, "work"),
                *allowance = column<double>(arrays, "allowance"),
-               *wall = column<double>(arrays, "wall");
+               *wall = column<double>(arrays, "wall"), *round = column<double>(arrays, "round");
     const auto* station = column<std::int64_t>(arrays, "station");
     const auto *zone = column<std::int32_t>(arrays, "zone"),
                *body_b = column<std::int32_t>(arrays, "body_b"),
@@ -79,6 +81,8 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
                   .facet_b = facet[2 * i + 1],
                   .xi_a = {xi[4 * i], xi[4 * i + 1]},
                   .xi_b = {xi[4 * i + 2], xi[4 * i + 3]},
+                  .round_a = round[2 * i],
+                  .round_b = round[2 * i + 1],
                   .slip = Eigen::Map<const Vec3>(slip + 3 * i),
                   .work = work[i],
                   .wall = Eigen::Map<const Vec3>(wall + 6 * i),

@@ -1,5 +1,6 @@
 #include "builder.h"
 
+#include "end_stations.h"
 #include "turn.h"
 
 #include <Eigen/Geometry>
@@ -15,11 +16,14 @@ namespace {
 struct FacingParticle {
     double c1, c2, norm;
 
-    FacingParticle(const Tube& tube, Unknowns q, double s, const Vec3& direction) {
+    /// `round`: of an end, see ContactElement; its particles are those of the section below the
+    /// half sphere.
+    FacingParticle(const Tube& tube, Unknowns q, double s, const Vec3& direction, double round) {
         const auto support = element_support(tube, s);
         c1 = director(tube, q, support, 1).dot(direction);
         c2 = director(tube, q, support, 2).dot(direction);
-        norm = std::max(std::hypot(c1, c2), 1e-12);
+        const double in_section = std::sqrt(1 - round);
+        norm = in_section > 1e-6 ? std::max(std::hypot(c1, c2) / in_section, 1e-12) : 1;
     }
 
     /// At the surface but for `inside`, mm along the direction.
@@ -31,16 +35,16 @@ struct FacingParticle {
 };
 
 /// How far the surface particle that faces a direction is out along it, mm.
-double reach(const Tube& tube, Unknowns q, double s, const Vec3& direction) {
-    return tube.has_directors() ? tube.radius * FacingParticle(tube, q, s, direction).norm
+double reach(const Tube& tube, Unknowns q, double s, const Vec3& direction, double round) {
+    return tube.has_directors() ? tube.radius * FacingParticle(tube, q, s, direction, round).norm
                                 : tube.radius;
 }
 
 /// Places the particle of a beam that faces a direction; cables have theirs in their centre.
-void face(const Tube& tube, Unknowns q, double s, const Vec3& direction, double inside,
-          double (&xi)[2]) {
+void face(const Tube& tube, Unknowns q, double s, const Vec3& direction, double round,
+          double inside, double (&xi)[2]) {
     if (tube.has_directors())
-        FacingParticle(tube, q, s, direction).place(tube.radius, inside, xi);
+        FacingParticle(tube, q, s, direction, round).place(tube.radius, inside, xi);
 }
 
 /// Where stations stand at a wall, s, and the length that each of them counts for, mm.
@@ -48,6 +52,15 @@ struct WallStations {
     std::vector<double> places;
     double weight;
 };
+
+/// Lets the ends of a tube stand there, too.
+WallStations with_ends(const Tube& tube, WallStations stations) {
+    if (tube.has_ends()) {
+        stations.places.push_back(tube.first_element());
+        stations.places.push_back(tube.end_element());
+    }
+    return stations;
+}
 
 /// In the middles of cells that divide a tube evenly.
 WallStations middles(const Tube& tube, double spacing) {
@@ -106,12 +119,16 @@ ContactElements Builder::zone(const ProximityZone& zone,
 ContactElements Builder::wall(std::int32_t a, const Rigid& rigid, std::int32_t number) const {
     const Tube& tube = surfaces_.tube(a);
     ContactElements out;
-    const auto stations = wall_stations(tube, options_.spacing);
+    const auto stations = with_ends(tube, wall_stations(tube, options_.spacing));
     for (std::int64_t k = 0; k < std::ssize(stations.places); ++k) {
         const double s = stations.places[k];
         const Vec3 x = position(tube, q_, s);
         const auto wall = rigid.nearest(x);
         if ((x - wall.position).dot(wall.normal) > tube.radius + options_.search.margin)
+            continue;
+        const double weight =
+            weight_at(tube, q_, s, -wall.normal, stations.weight, options_.point_tolerance);
+        if (weight == 0)
             continue;
         out.push_back({.surface_a = a,
                        .surface_b = -1 - number,
@@ -120,7 +137,7 @@ ContactElements Builder::wall(std::int32_t a, const Rigid& rigid, std::int32_t n
                        .s_b = 0,
                        .station = k,
                        .normal = -wall.normal,
-                       .weight = stations.weight,
+                       .weight = weight,
                        .stiffness = 0,
                        .wall = wall.position,
                        .wall_start = rigid.at_start(wall.position)});
@@ -165,9 +182,30 @@ ContactElement Builder::complete(ContactElement e, const Mat3& rigid) const {
         inherit(e, *old, options_.keep_side);
     if (!against_rigid(e))
         e.body_b = surfaces_.body(e.surface_b);
-    if (e.facet_a < 0)
+    if (e.facet_a < 0) {
+        round_ends(e);
         place_particles(e);
+    }
     return e;
+}
+
+/// How far the normal runs along the axes of sections at ends.
+void Builder::round_ends(ContactElement& e) const {
+    const auto round = [&](std::int32_t surface, double s) {
+        const Tube& tube = surfaces_.tube(surface);
+        if (end_at(tube, s) == 0)
+            return 0.0;
+        Vec3 axis = curve_point(tube, q_, s).tangent;
+        if (tube.has_directors()) {
+            const auto section = element_support(tube, s);
+            axis = director(tube, q_, section, 1).cross(director(tube, q_, section, 2));
+        }
+        const double cosine = axis.normalized().dot(e.normal);
+        return std::min(1.0, cosine * cosine);
+    };
+    e.round_a = round(e.surface_a, e.s_a);
+    if (!against_rigid(e) && e.facet_b < 0)
+        e.round_b = round(e.surface_b, e.s_b);
 }
 
 /// Whether a particle is in the centre of a cable. It would take any rotation found while the
@@ -187,7 +225,7 @@ bool Builder::has_cable(const ContactElement& e) const {
 void Builder::place_particles(ContactElement& e) const {
     const Tube& a = surfaces_.tube(e.surface_a);
     const Vec3 x_a = position(a, q_, e.s_a);
-    double depth = e.normal.dot(x_a) + reach(a, q_, e.s_a, e.normal);
+    double depth = e.normal.dot(x_a) + reach(a, q_, e.s_a, e.normal, e.round_a);
     if (against_rigid(e)) {
         depth -= e.normal.dot(e.wall);
     } else if (e.facet_b >= 0) {
@@ -196,11 +234,11 @@ void Builder::place_particles(ContactElement& e) const {
         depth -= e.normal.dot(combined(skin, q_, e.facet_b, weights.value));
     } else {
         const Tube& b = surfaces_.tube(e.surface_b);
-        depth += reach(b, q_, e.s_b, e.normal) - e.normal.dot(position(b, q_, e.s_b));
+        depth += reach(b, q_, e.s_b, e.normal, e.round_b) - e.normal.dot(position(b, q_, e.s_b));
         depth *= 0.5;
-        face(b, q_, e.s_b, -e.normal, depth, e.xi_b);
+        face(b, q_, e.s_b, -e.normal, e.round_b, depth, e.xi_b);
     }
-    face(a, q_, e.s_a, e.normal, depth, e.xi_a);
+    face(a, q_, e.s_a, e.normal, e.round_a, depth, e.xi_a);
 }
 
 Vec3 Builder::centre_to_centre(std::int32_t a, std::int32_t b, const Station& s) const {

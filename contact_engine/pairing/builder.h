@@ -33,6 +33,7 @@ public:
 private:
     ContactElement complete(ContactElement element, const Mat3& rigid) const;
     bool has_cable(const ContactElement& element) const;
+    void round_ends(ContactElement& element) const;
     void place_particles(ContactElement& element) const;
     Vec3 centre_to_centre(std::int32_t a, std::int32_t b, const Station& s) const;
     void share_stiffness(ContactElements& elements) const;

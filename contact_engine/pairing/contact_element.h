@@ -22,8 +22,10 @@ struct ContactElement {
     double stiffness; ///< penalty per length, N/mm per mm, or per area; equal within a proximity
                       ///< zone
     std::int32_t facet_a = -1, facet_b = -1; ///< facets of skins
-    double xi_a[2] = {0, 0};  ///< transverse coordinates of the surface particles (beams), mm;
-    double xi_b[2] = {0, 0};  ///< reference coordinates on facets
+    double xi_a[2] = {0, 0}; ///< transverse coordinates of the surface particles (beams), mm;
+    double xi_b[2] = {0, 0}; ///< reference coordinates on facets
+    double round_a = 0, round_b = 0; ///< at ends of tubes, which are half spheres: square of the
+                                     ///< cosine between normal and axis of the section
     Vec3 slip = Vec3::Zero(); ///< remembered reversible slip of b against a, mm, in the directions
                               ///< that were when the increment started
     Mat3 turn = Mat3::Identity();   ///< how the pair has turned as a whole since then, see turn.h;

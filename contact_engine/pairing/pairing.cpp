@@ -2,6 +2,7 @@
 
 #include "../parallel.h"
 #include "builder.h"
+#include "end_stations.h"
 #include "rules.h"
 #include "skin_builder.h"
 
@@ -90,7 +91,7 @@ std::vector<Station> kept_points(const TubePair& pair, const ProximityZone& zone
         for (const int periods : periods_of(pair)) {
             const double arc_a = old.s_a * pair.a.element_length + periods * pair.a.length(),
                          arc_b = old.s_b * pair.b.element_length + periods * pair.b.length();
-            const auto at = pair.closest(arc_a, arc_b);
+            const auto at = closest_anywhere(pair, arc_a, arc_b);
             if (!at || std::abs(at->first - arc_a) > farthest_jump * spacing)
                 continue;
             add_own(out, pair, zone, pair.station(at->first, at->second, old.weight, point_station),
@@ -122,6 +123,7 @@ std::vector<Station> new_points(const TubePair& pair, const ProximityZone& zone,
                                 const std::vector<Station>& line, const History& history,
                                 double spacing, double tolerance) {
     std::vector<Station> out = point_stations(pair, line, spacing, tolerance);
+    add_end_stations(out, pair, zone.pairs, spacing, tolerance);
     if (pair.a.is_closed || pair.b.is_closed)
         for (const auto& found : std::exchange(out, {}))
             add_own(out, pair, zone, found, spacing);

@@ -2,6 +2,7 @@
 
 #include "../parallel.h"
 #include "../surfaces/skin_edges.h"
+#include "end_stations.h"
 #include "rules.h"
 
 #include <algorithm>
@@ -146,8 +147,11 @@ ContactElements SkinBuilder::tube(std::int32_t a, std::int32_t skin_b) const {
     ContactElements out;
     const auto count = static_cast<std::int64_t>(std::ceil(tube.length() / options_.spacing));
     const double spacing = tube.length() / static_cast<double>(count);
-    for (std::int64_t k = 0; k < count; ++k) {
-        const double s = (static_cast<double>(k) + 0.5) * spacing / tube.element_length;
+    for (std::int64_t k = 0; k < count + (tube.has_ends() ? 2 : 0); ++k) {
+        // In the middles of even cells, and at the ends.
+        const double s = k < count ? (static_cast<double>(k) + 0.5) * spacing / tube.element_length
+                         : k == count ? tube.first_element()
+                                      : tube.end_element();
         const Vec3 x = position(tube, q_, s);
         if (onto.box().distance_to(x) > reach)
             continue;
@@ -163,13 +167,16 @@ ContactElements SkinBuilder::tube(std::int32_t a, std::int32_t skin_b) const {
             continue;
         const bool use_way = place->height() > too_near * tube.radius;
         const Vec3 normal = use_way ? Vec3(-place->offset.normalized()) : Vec3(-place->normal);
+        const double weight = weight_at(tube, q_, s, normal, spacing, options_.point_tolerance);
+        if (weight == 0)
+            continue;
         out.push_back({.surface_a = a,
                        .surface_b = skin_b,
                        .s_a = s,
                        .s_b = 0,
                        .station = k,
                        .normal = normal,
-                       .weight = spacing,
+                       .weight = weight,
                        .stiffness = 0,
                        .facet_b = place->at.facet,
                        .xi_b = {place->at.u, place->at.v},

@@ -209,14 +209,22 @@ void add_point(std::vector<Station>& points, const TubePair& tubes, const Statio
         points.push_back(point);
 }
 
+double grown(double missed) {
+    const double x = std::clamp((missed - 0.6) / 0.6, 0.0, 1.0);
+    return x * x * (3 - 2 * x);
+}
+
 double point_weight(const TubePair& tubes, double arc_a, double arc_b, double spacing,
                     double tolerance) {
     // Half a spacing away along the mean curve the distance has grown by sharpness (spacing / 2)^2
     // / d.
     const double missed = tolerance * (tubes.a.radius + tubes.b.radius) * 4 / (spacing * spacing);
-    const double share = tubes.sharpness(arc_a, arc_b) / std::max(flattest, missed);
-    const double x = std::clamp((share - 0.6) / 0.6, 0.0, 1.0);
-    return spacing * x * x * (3 - 2 * x);
+    const double s_a = arc_a / tubes.a.element_length, s_b = arc_b / tubes.b.element_length;
+    const Vec3 way = position(tubes.b, tubes.q, s_b) - position(tubes.a, tubes.q, s_a);
+    // From an end, it has grown by leaning spacing / 2.
+    const double leaning = lean(tubes.a, tubes.q, s_a, way) + lean(tubes.b, tubes.q, s_b, -way),
+                 sharp = tubes.sharpness(arc_a, arc_b) + 2 * leaning * way.norm() / spacing;
+    return spacing * grown(sharp / std::max(flattest, missed));
 }
 
 std::optional<Station> point_station_near(const TubePair& tubes, double arc_a, double arc_b,

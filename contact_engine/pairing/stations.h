@@ -65,10 +65,14 @@ std::vector<Station> line_stations(const TubePair& tubes, const std::vector<Elem
 void add_point(std::vector<Station>& points, const TubePair& tubes, const Station& point,
                double spacing);
 
+/// Part of a weight that is wanted where line stations miss this much of a distance, over what they
+/// may miss: from nothing at 0.6 to all at 1.2, smoothly. Stations that came and went at once would
+/// keep a rope from coming to rest.
+double grown(double missed);
+
 /// Weight of a point station at a closest approach, mm. It grows from nothing to a whole spacing
-/// with the sharpness of the approach, between 0.6 and 1.2 times that at which line stations miss
-/// `tolerance` (mm) of it: stations that came and went at once would keep a rope from coming to
-/// rest.
+/// with what line stations miss of the approach, over `tolerance` (mm). At an end of a tube they
+/// miss more by as much as the way leans out of it.
 double point_weight(const TubePair& tubes, double arc_a, double arc_b, double spacing,
                     double tolerance);
 

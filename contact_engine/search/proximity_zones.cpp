@@ -40,13 +40,19 @@ std::vector<std::size_t> components(Pairs pairs) {
     return parent;
 }
 
-/// Whether the curves run the same way where they are nearest to each other.
+/// Whether the curves run the same way where they are nearest to each other. Those that cross at
+/// right angles do, whatever round-off says: stations are other ones if they do not, and what these
+/// remember would be lost from one update to the next.
 int orientation(const std::vector<Tube>& tubes, Unknowns q, const ProximityZone& zone) {
-    double sum = 0;
-    for (const auto& p : zone.pairs)
-        sum += curve_point(tubes[zone.tube_a], q, p.s_a)
-                   .tangent.dot(curve_point(tubes[zone.tube_b], q, p.s_b).tangent);
-    return sum >= 0 ? 1 : -1;
+    constexpr double right_angle = 1e-6; // cosine: far beyond round-off of tangents
+    double sum = 0, scale = 0;
+    for (const auto& p : zone.pairs) {
+        const Vec3 a = curve_point(tubes[zone.tube_a], q, p.s_a).tangent,
+                   b = curve_point(tubes[zone.tube_b], q, p.s_b).tangent;
+        sum += a.dot(b);
+        scale += a.norm() * b.norm();
+    }
+    return sum >= -right_angle * scale ? 1 : -1;
 }
 
 } // namespace

@@ -104,6 +104,19 @@ Vec3 curve_bend(const Tube& tube, Unknowns q, double s) {
     return bend / (tube.element_length * tube.element_length);
 }
 
+int end_at(const Tube& tube, double s) {
+    if (!tube.has_ends())
+        return 0;
+    return s <= tube.first_element() ? -1 : s >= tube.end_element() ? 1 : 0;
+}
+
+double lean(const Tube& tube, Unknowns q, double s, const Vec3& direction) {
+    const int end = end_at(tube, s);
+    if (end == 0)
+        return 0;
+    return end * curve_point(tube, q, s).tangent.normalized().dot(direction.normalized());
+}
+
 Vec3 director(const Tube& tube, Unknowns q, const Support& support, int which) {
     Vec3 g = Vec3::Zero();
     for (int i = 0; i < support.count; ++i)

@@ -27,14 +27,16 @@ struct Tube {
     bool is_image = false;   ///< its equilibrium repeats that of another tube, by symmetry: nobody
                              ///< asks for the rows of its unknowns in residual and tangent
     std::int32_t beyond = 0; ///< elements past either end, for contact across the ends of a sample
-    int group = -1;         ///< surfaces of one group, from 0, are never paired: pieces of one yarn
-    bool is_closed = false; ///< of num_elements * degree nodes
+    int group = -1;          ///< surfaces of one group, from 0, are never paired: pieces of one yarn
+    bool is_closed = false;  ///< of num_elements * degree nodes
+    bool round_ends = false; ///< whether its ends touch, as half spheres of its radius
 
     /// Not at a node, where contacts may be by symmetry, and on either side but for round-off.
     static constexpr double joint = 0.31;
 
     bool is_polygon() const { return degree == 1 && !smooth; }
     bool is_periodic() const { return beyond > 0; }
+    bool has_ends() const { return round_ends && !is_periodic() && !is_closed; }
     std::int32_t first_element() const { return -beyond; }
     /// One past the last; the first element of a closed tube comes again as its last one.
     std::int32_t end_element() const { return num_elements + beyond + (is_closed ? 1 : 0); }
@@ -105,6 +107,13 @@ struct CurvePoint {
 Vec3 curve_bend(const Tube& tube, Unknowns q, double s);
 
 CurvePoint curve_point(const Tube& tube, Unknowns q, double s);
+
+/// Which end of a tube s is at, -1 or 1; 0 between ends, and where ends do not touch.
+int end_at(const Tube& tube, double s);
+
+/// How far a direction leans out beyond the end of a tube at s: its cosine with the outward
+/// tangent; 0 where end_at is.
+double lean(const Tube& tube, Unknowns q, double s, const Vec3& direction);
 
 /// Interpolated director (1 or 2) of a beam at s.
 Vec3 director(const Tube& tube, Unknowns q, const Support& support, int which);

@@ -197,7 +197,8 @@ class Contact:
         no_facets = np.full(
             (a.size, 2), -1, np.int32
         )  # states saved before solids could touch know none
-        arrays = {"facet": no_facets, **arrays}
+        no_ends = np.zeros((a.size, 2))  # nor ends of rods
+        arrays = {"facet": no_facets, "round": no_ends, **arrays}
         swapped = np.all(arrays["facet"] >= 0, axis=1) & (b < a)
         first, second = np.where(swapped, (b, a), (a, b))
         own = engine.is_own(self.pairing, first, np.where(second < 0, -1 - second, second))

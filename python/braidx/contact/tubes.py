@@ -26,6 +26,7 @@ class TubeLayout:
         group: Tubes and skins of one group, from 0, never touch, a tube itself excepted; -1: no group. Shape
             (num_tubes,); None: no groups.
         is_closed: Whether a tube is a ring, whose last node is its first one, shape (num_tubes,); None: nowhere.
+        round_ends: Whether ends of tubes touch, as half spheres of their radius.
         is_image: Whether the equilibrium of a tube repeats another's by symmetry, shape (num_tubes,); None: nowhere.
     """
 
@@ -40,6 +41,7 @@ class TubeLayout:
     is_image: npt.NDArray[np.bool_] | None = None
     group: Ints | None = None
     is_closed: npt.NDArray[np.bool_] | None = None
+    round_ends: bool = False
 
 
 def no_tubes() -> TubeLayout:
@@ -74,6 +76,7 @@ def engine_tubes(layout: TubeLayout, smooth: bool, beyond: Beyond | None = None)
         beyond=layout.beyond,
         group=_listed(layout.group),
         closed=_listed(layout.is_closed),
+        round_ends=layout.round_ends,
         **int32,
     )
 

@@ -32,7 +32,7 @@ def make_contact(
     """
     if self_contact is not None:
         _refuse_open_rings(layout)
-    tubes, skins = layout.tubes, layout.skins
+    tubes, skins = replace(layout.tubes, round_ends=True), layout.skins
     if not each_other:
         tubes = replace(tubes, group=0 * tubes.num_elements)
         skins = None if skins is None else replace(skins, group=0 * skins.group)
