@@ -19,6 +19,7 @@ from braidx.scene import (
     ContactOptions,
     Expected,
     Form,
+    Material,
     OutputOptions,
     Pull,
     RopeRecipe,
@@ -36,7 +37,14 @@ from braidx.scene import (
 scene = Scene(
     rope=RopeRecipe(name="first_rope", pitch=36.0, pitches=1),
     braid=BraidRecipe(strands_per_direction=(4, 4), motif="1-over-1-under", helix_radius=2.0),
-    yarn=YarnModel(radius=0.86, axial_stiffness=162e3, bundle_factor=1e-2, elements_per_pitch=36),
+    yarn=YarnModel(
+        radius=0.86,
+        axial_stiffness=162e3,
+        bundle_factor=1e-2,  # what the material says, for beams
+        material="filaments",
+        elements_per_pitch=36,
+    ),
+    material={"filaments": Material(bundle_factor=1e-2)},
     contact=ContactOptions(friction=0.1),
     steps=(Form(tension=20.0), Settle(), Pull(to_force=5.0)),
     expected={"wrong_side_crossings": Expected(reference=0.0, tolerance=0.0)},

@@ -172,10 +172,15 @@ def bent(draw: DrawFn) -> Recipe:
             "radius": radius,
             "model": model,
             "axial_stiffness": stiffness,
-            "transverse_modulus": 1000.0,
-            "shear_modulus": 500.0,
-            "bundle_factor": draw(between(0.1, 1.0)),
+            "material": "filaments",
             "elements_per_pitch": 8 * per_direction,
+        },
+        "material": {
+            "filaments": {
+                "transverse_modulus": 1000.0,
+                "shear_modulus": 500.0,
+                "bundle_factor": draw(between(0.1, 1.0)),
+            }
         },
         "contact": {"friction": draw(between(0.0, 0.5))},
         "steps": [
@@ -205,9 +210,10 @@ def small_braid(model: str, factor: float, *steps: Recipe, **form: float) -> Rec
             "radius": 0.86,
             "axial_stiffness": 162e3,
             "model": model,
-            "bundle_factor": factor,
+            "material": "filaments",
             "elements_per_pitch": 24,
         },
+        "material": {"filaments": {"bundle_factor": factor}},
         "contact": {"friction": 0.1},
         "solver": {"max_cuts": 4},
         "steps": [{"kind": "form", "tension": 20.0, **form}, {"kind": "settle"}, *steps],

@@ -6,7 +6,7 @@ The sample is one pitch long and bent less than the demo's, so that yarns of sol
 It is formed alike for all meshes.
 """
 
-from study import QUICK, Case, Study, main
+from study import QUICK, QUICK_MIXED, Case, Study, main
 
 SHORT = (
     "rope.pitches=1",
@@ -29,7 +29,7 @@ def study(quick: bool = False) -> Study:
         title="E: mesh of solid yarns",
         quantity="seeds round a yarn x elements along a pitch",
         cases=tuple(cases),
-        base=(*QUICK, "yarn.model=mixed") if quick else SHORT,
+        base=(*QUICK, *QUICK_MIXED) if quick else SHORT,
         chosen=(
             "The paper has 12 seeds round a yarn; its yarns' elements are said to be 0.3 mm long, which fits neither "
             "12 seeds nor this study. Errors are against the shortest elements."

@@ -41,12 +41,12 @@ QUICK = (
     "yarn.radius=0.6",
     "yarn.axial_stiffness=22.6e3",
     "yarn.elements_per_pitch=16",
-    "yarn.solid_stretch=10",
-    "yarn.seeds=8",
     "steps.bend.travel=1",
     "steps.bend.increments=2",
     "solver.director_viscosity=100",
 )
+# Of its yarns where these are mixed.
+QUICK_MIXED = ("yarn.model=mixed", "yarn.seeds=8", "yarn.solid_stretch=10")
 
 # The smallest braid that is pulled: eight yarns, one pitch of 36 mm.
 SMALL = (

@@ -16,7 +16,9 @@ class Core(Table):
     table: ClassVar[str] = "core"
 
     radius: float = option(unit="mm", above=0.0, doc="Outer radius.")
-    inner_radius: float = option(0.0, unit="mm", minimum=0.0, doc="Radius of its bore; 0: none.")
+    inner_radius: float = option(
+        0.0, unit="mm", minimum=0.0, doc="Radius of its bore; 0: none.", needs="solid core"
+    )
     model: str = option(
         "solid",
         choices=("solid", "beam", "rigid"),
@@ -27,35 +29,44 @@ class Core(Table):
         "st-venant-kirchhoff",
         choices=("st-venant-kirchhoff", "neo-hooke"),
         doc="Law of its isotropic material; neo-hooke where it is compressed strongly.",
+        needs="solid core",
     )
-    modulus: float = option(200.0, unit="MPa", above=0.0, doc="Young's modulus.")
-    poisson: float = option(0.3, above=-1.0, below=0.5, doc="Poisson ratio.")
-    degree: int = option(1, choices=(1, 2), doc="Degree of its finite elements.")
+    modulus: float = option(200.0, unit="MPa", above=0.0, doc="Young's modulus.", needs="soft core")
+    poisson: float = option(0.3, above=-1.0, below=0.5, doc="Poisson ratio.", needs="soft core")
+    degree: int = option(
+        1, choices=(1, 2), doc="Degree of its finite elements.", needs="swept core"
+    )
     seeds: int = option(
         12,
         minimum=4,
         maximum=400,
         doc="Edges of elements round it; an o-grid wants a multiple of 4.",
+        needs="swept core",
     )
     section: str = option(
         "o-grid",
         choices=("o-grid", "wedge"),
         doc="How its section is divided: quadrilaterals about a square, or triangles about the centre and "
         "quadrilaterals round them.",
+        needs="swept core",
     )
     element_length: float | None = option(
         None,
         unit="mm",
         above=0.0,
         doc="Length of its elements along the axis; left out: that of the yarns' elements.",
+        needs="swept core",
     )
     mesh: str = option(
         "",
         doc="Mesh that takes the place of the cylinder: a .geo or .msh file of gmsh, or what meshio reads, placed as "
         "the rope is, its axis on z from 0. A path is that from the scene's folder.",
+        needs="solid core",
     )
     surface: str = option(
-        "lateral", doc="Tag of the surface that may touch; a mesh of one's own names it."
+        "lateral",
+        doc="Tag of the surface that may touch; a mesh of one's own names it.",
+        needs="meshed core",
     )
 
     def __post_init__(self) -> None:

@@ -132,15 +132,19 @@ class EndConditions(Table):
         choices=("periodic", "fixed", "free"),
         doc="Across the axis: the two ends of each yarn move alike, stay where they are, or are "
         "free.",
+        needs="ends",
     )
     sections: str = option(
         "free",
         choices=("free", "fixed"),
         doc="Directors of beams at the two ends; those of a rigid group turn with it if they are fixed. Where the rope "
         "goes on past its ends they turn alike.",
+        needs="ends of beams",
     )
     groups: tuple[EndGroup, ...] = option(
-        (), doc="Groups of ends with conditions of their own, one table [[ends.groups]] each."
+        (),
+        doc="Groups of ends with conditions of their own, one table [[ends.groups]] each.",
+        needs="straight steps",
     )
 
     def __post_init__(self) -> None:

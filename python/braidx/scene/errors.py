@@ -30,11 +30,11 @@ class SceneError(ValueError):
 
     def renamed(self, key: str) -> SceneError:
         """The same error under another key."""
-        return SceneError(key, self.cure, self.value, self.source)
+        return type(self)(key, self.cure, self.value, self.source)
 
     def within(self, source: str) -> SceneError:
         """The same error naming the file, unless it names one already."""
-        return SceneError(self.key, self.cure, self.value, self.source or source)
+        return type(self)(self.key, self.cure, self.value, self.source or source)
 
 
 def nearest(name: str, known: Iterable[str]) -> str:

@@ -38,6 +38,7 @@ class Spec:
     example: str = ""  # how such a text looks
     shortest: int = 0  # fewest entries of a list
     keys: tuple[str, ...] = ()  # names that the entries of a table may have; empty: any
+    needs: str = ""  # what the option has no effect without, by its name in effects.py
 
     def range_text(self) -> str:
         """The range in words, empty where every value is allowed."""
@@ -63,7 +64,8 @@ class Table:
     table: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
-        hints = type_hints(type(self))
+        own: Any = type(self)
+        hints = type_hints(own)
         for field in dataclasses.fields(self):
             if getattr(self, field.name) is None and field.default is None:
                 continue  # left out: the scene, or what uses it, decides

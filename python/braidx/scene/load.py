@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import tomllib
 from collections.abc import Iterable, Iterator
@@ -9,9 +10,11 @@ from pathlib import Path
 from typing import Any
 
 from braidx.scene.build import scene_from_dict
+from braidx.scene.effects import NoEffect
 from braidx.scene.errors import SceneError
 from braidx.scene.scene import Scene
 
+LOGGER = logging.getLogger("braidx")
 # tomllib also raises what Python does for whole numbers that are too long, and for lists nested too deep.
 TOML_ERRORS = (ValueError, RecursionError)
 
@@ -28,13 +31,27 @@ def load_scene(path: str | Path, overrides: Iterable[str] = ()) -> Scene:
     """
     path = Path(path)
     try:
-        data = _read(path)
-        for override in overrides:
+        data, replaced = _read(path), list(overrides)
+        for override in replaced:
             apply_override(data, override)
         _place_mesh(data, path.parent)
-        return scene_from_dict(data, name=path.stem)
+        return _with_effect(data, path.stem, replaced)
     except SceneError as error:
         raise error.within(str(path)) from None
+
+
+def _with_effect(data: dict[str, Any], name: str, overrides: list[str]) -> Scene:
+    """The scene, without what the file states and what is set on the command line takes the effect from."""
+    named = {override.partition("=")[0].strip() for override in overrides}
+    while True:
+        try:
+            return scene_from_dict(data, name=name)
+        except NoEffect as error:
+            table, _, key = error.key.partition(".")
+            if not overrides or error.key in named or key not in data.get(table, {}):
+                raise
+            del data[table][key]
+            LOGGER.warning("%s; it is left out, for --set %s", error, " --set ".join(overrides))
 
 
 def _place_mesh(data: dict[str, Any], folder: Path) -> None:

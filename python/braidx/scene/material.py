@@ -14,7 +14,7 @@ MODELS = ("cable", "beam", "solid", "mixed", "auto")
 
 @dataclass(frozen=True)
 class Material(Table):
-    """A named material, [material.NAME]: values for the yarns that name it."""
+    """A named material, [material.NAME]: values for the yarns that name it, whatever these are modelled as."""
 
     table: ClassVar[str] = "material"
 
@@ -33,6 +33,15 @@ class Material(Table):
     poisson_transverse: float | None = option(
         None, above=-1.0, below=1.0, doc="Poisson ratio within the section."
     )
+    bundle_factor: float | None = option(
+        None,
+        above=0.0,
+        maximum=1.0,
+        doc="Factor on the bending stiffness of a bundle of filaments, as that of [yarn].",
+    )
+    torsion_factor: float | None = option(
+        None, above=0.0, maximum=1.0, doc="Factor on its torsional stiffness."
+    )
 
 
 @dataclass(frozen=True)
@@ -45,6 +54,7 @@ class YarnModel(Table):
     model: str = option(
         "cable",
         choices=MODELS,
+        needs="own model",
         doc="Cable: tension only, 3 unknowns per node. Beam: also bending, torsion and deformation "
         "of the section, 9 unknowns per node (paper 1, eq. 1). Ropes that are bent also have solid: "
         "hexahedra (paper 2); mixed: hexahedra in solid_stretch and outer_model beyond; auto: the "
@@ -58,48 +68,69 @@ class YarnModel(Table):
         above=0.0,
         maximum=1.0,
         doc="Factor on the bending stiffness, about 1 / number of filaments (paper 1, 5.1).",
+        needs="sections or bent",
     )
     torsion_factor: float | None = option(
         None,
         above=0.0,
         maximum=1.0,
         doc="Factor on the torsional stiffness; left out: bundle_factor.",
+        needs="beams",
     )
     transverse_modulus: float = option(
-        2000.0, unit="MPa", above=0.0, doc="Modulus across the yarn."
+        2000.0, unit="MPa", above=0.0, doc="Modulus across the yarn.", needs="sections or bent"
     )
     shear_modulus: float = option(
-        1000.0, unit="MPa", above=0.0, doc="Shear modulus between the axis and the section."
+        1000.0,
+        unit="MPa",
+        above=0.0,
+        doc="Shear modulus between the axis and the section.",
+        needs="sections",
     )
     poisson_axial: float = option(
-        0.3, minimum=0.0, maximum=1.0, doc="Contraction across for a stretch along the yarn."
+        0.3,
+        minimum=0.0,
+        maximum=1.0,
+        doc="Contraction across for a stretch along the yarn.",
+        needs="sections",
     )
     poisson_transverse: float = option(
-        0.3, above=-1.0, below=1.0, doc="Poisson ratio within the section."
+        0.3, above=-1.0, below=1.0, doc="Poisson ratio within the section.", needs="sections"
     )
     area: float | None = option(
         None, unit="mm^2", above=0.0, doc="Area of the section; left out: that of the circle."
     )
     inertia_1: float | None = option(
-        None, unit="mm^4", above=0.0, doc="Second moment of area along g1; left out: the circle's."
+        None,
+        unit="mm^4",
+        above=0.0,
+        doc="Second moment of area along g1; left out: the circle's.",
+        needs="beams",
     )
     inertia_2: float | None = option(
-        None, unit="mm^4", above=0.0, doc="Second moment of area along g2; left out: the circle's."
+        None,
+        unit="mm^4",
+        above=0.0,
+        doc="Second moment of area along g2; left out: the circle's.",
+        needs="beams",
     )
     torsion_constant: float | None = option(
         None,
         unit="mm^4",
         above=0.0,
         doc="Torsion constant J; left out: inertia_1 + inertia_2.",
+        needs="beams",
     )
     natural_state: str = option(
         "as placed",
         choices=("as placed", "straight"),
         doc="Shape in which a beam is free of bending and torsion.",
+        needs="placed beams",
     )
     axial_law: str = option(
         "Saint-Venant-Kirchhoff",
         choices=("Saint-Venant-Kirchhoff", "linear"),
+        needs="beams or beam core",
         doc="Force along the fibres of beams: linear in their Green-Lagrange strain, as in solids, or in their "
         "stretch, as in cables; 1.5 % apart at 1 % strain. It is that of a core of beams too.",
     )
@@ -122,25 +153,34 @@ class YarnModel(Table):
         minimum=4,
         maximum=400,
         doc="Edges of elements round a solid yarn, a multiple of 4 (12 in paper 2).",
+        needs="solids",
     )
-    solid_degree: int = option(1, choices=(1, 2), doc="Degree of the elements of a solid yarn.")
+    solid_degree: int = option(
+        1, choices=(1, 2), doc="Degree of the elements of a solid yarn.", needs="solids"
+    )
     solid_elements_per_pitch: int | None = option(
         None,
         minimum=4,
         doc="Elements of a solid yarn along rope.pitch; left out: elements_per_pitch.",
+        needs="solids",
     )
     solid_stretch: float | None = option(
         None,
         unit="mm",
         above=0.0,
         doc="Length along the axis, half on either side of the sample's middle, in which a mixed yarn is solid.",
+        needs="mixed",
     )
     outer_model: str = option(
-        "beam", choices=("beam", "cable"), doc="Model of a mixed yarn beyond solid_stretch."
+        "beam",
+        choices=("beam", "cable"),
+        doc="Model of a mixed yarn beyond solid_stretch.",
+        needs="mixed",
     )
     models: dict[str, str] = option(
         {},
         doc='Yarns with a model of their own, by number from 0 in the order of the recipe: { 3 = "solid" }.',
+        needs="bent",
     )
 
     def __post_init__(self) -> None:

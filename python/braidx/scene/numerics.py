@@ -43,6 +43,7 @@ class ContactOptions(Table):
         unit="yarn radius",
         above=0.0,
         doc="Slip that is given back before sliding starts (eq. 5).",
+        needs="rubs",
     )
     penalty: float | None = option(
         None,
@@ -50,6 +51,7 @@ class ContactOptions(Table):
         above=0.0,
         doc="First penalty per length of contact in a scene that forms no rope; left out: 1 % of "
         "axial stiffness / radius^2. It is adapted from there.",
+        needs="first penalty",
     )
     station_spacing: float = option(
         0.25,
@@ -87,12 +89,14 @@ class SolverOptions(Table):
         8,
         minimum=0,
         doc="Halvings of an increment before the run gives up; twice as many in a row.",
+        needs="equilibria",
     )
     tangent: str = option(
         "consistent",
         choices=("symmetric", "consistent"),
         doc="Tangent of friction: symmetrised (CHOLMOD), or consistent (MUMPS), with which Newton's method converges "
         "in a fifth of the iterations.",
+        needs="rubbing equilibria",
     )
     viscosity: float = option(
         1.0,
@@ -100,6 +104,7 @@ class SolverOptions(Table):
         minimum=0.0,
         doc="Stabilisation of node positions, force per mm moved in the increment; less in proportion where the mean "
         "strain of yarns is below 0.1 %.",
+        needs="equilibria",
     )
     director_viscosity: float = option(
         500.0,
@@ -107,15 +112,20 @@ class SolverOptions(Table):
         minimum=0.0,
         doc="Stabilisation of the directors of beams and of the tangents of cables, per radian turned in the "
         "increment; likewise less at small tensions.",
+        needs="equilibria",
     )
     director_cap: float = option(
-        0.3, above=0.0, doc="Largest change of a director in one Newton iteration."
+        0.3,
+        above=0.0,
+        doc="Largest change of a director in one Newton iteration.",
+        needs="directors",
     )
     symmetry: bool = option(
         True,
         doc="Keep the rope symmetric under the rotations about its axis that its recipe is symmetric under: yarns "
         "follow those that they are images of, and there is that much less to solve; false lets it leave them. "
         "Groups of ends, once they act, do so too.",
+        needs="alike",
     )
     accuracy: str = option(
         "",
@@ -136,7 +146,7 @@ class OutputOptions(Table):
 
     pictures: bool = option(True, doc="Write the pictures.")
     fields: bool = option(True, doc="Write files for ParaView.")
-    every: int = option(1, minimum=1, doc="Write fields every so many increments.")
+    every: int = option(1, minimum=1, doc="Write fields every so many increments.", needs="fields")
     states: bool = option(
         False,
         doc="Keep the state of every increment in states/, as those at the end of a stage are kept in snapshots/.",

@@ -125,6 +125,7 @@ class StrandRecipe(Table):
         example='a number, "pitch/4" (a fraction of rope.pitch) or "untwisted"',
         doc="Length along the axis in which a yarn turns once around its strand; it divides "
         "rope.pitch.",
+        needs="several yarns",
     )
     helix_radius: float | str = option(
         "touching",
@@ -133,10 +134,12 @@ class StrandRecipe(Table):
         choices=("touching",),
         doc='Radius of the first ring around the strand\'s centre line; "touching": the smallest '
         "without overlap. Each further ring lies one yarn diameter further out.",
+        needs="several yarns",
     )
     lay: str = option(
         "opposite",
         choices=("opposite", "same", "S", "Z"),
         doc="Sense of the yarns' helices: opposite to or the same as the helix of their strand, or "
         "all left-handed (S) or all right-handed (Z).",
+        needs="twist",
     )

@@ -8,6 +8,7 @@ import re
 from typing import Any, get_args, get_origin
 
 from braidx.scene.build import NAMED, REQUIRED, TABLES
+from braidx.scene.effects import NEEDS
 from braidx.scene.ends import EndGroup
 from braidx.scene.errors import toml_text
 from braidx.scene.fields import Spec, Table, members, spec_of, type_hints, type_text
@@ -17,8 +18,9 @@ INTRODUCTION = """\
 # Scene reference
 
 A scene is a TOML file. Lengths are in mm, forces in N (rope forces in kN), stresses in MPa. A key
-that is left out takes its default; an unknown key is an error. On the command line
-`--set table.key=value` replaces a value, `--set steps.pull.to_force=20` one of a step.
+that is left out takes its default; an unknown key is an error, and so is a value that changes
+nothing in its scene. On the command line `--set table.key=value` replaces a value,
+`--set steps.pull.to_force=20` one of a step.
 
 This page is written by `braidx schema --markdown` from the dataclasses in `braidx.scene`.
 """
@@ -45,7 +47,8 @@ def _section(title: str, cls: type, level: int = 2) -> str:
     for field in dataclasses.fields(cls):
         spec, hint = spec_of(field), type_hints(cls)[field.name]
         cells = [f"`{field.name}`", type_text(hint), spec.unit, _default_text(field)]
-        cells += [_range_text(spec), spec.doc]
+        acts = f" Acts on {NEEDS[spec.needs].only}." if spec.needs else ""
+        cells += [_range_text(spec), spec.doc + acts]
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return "\n".join([*lines, ""])
 

@@ -6,14 +6,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from braidx.scene.bending import Bend, BendCycles, Straighten
+from braidx.scene.effects import SOLID, STRAIGHT
 from braidx.scene.errors import SceneError
-from braidx.scene.steps import Cycle, Hold, Pull, Settle
+from braidx.scene.steps import Form
 
 if TYPE_CHECKING:
     from braidx.scene.scene import Scene
-
-STRAIGHT = (Settle, Pull, Hold, Cycle)  # steps that know the yarns of a straight rope only
-SOLID = ("solid", "mixed", "auto")
 
 
 def check_bending(scene: Scene) -> None:
@@ -43,6 +41,9 @@ def _check_steps(scene: Scene) -> None:
             raise SceneError(f"steps[{i}].kind", cure, step.kind)
         elif isinstance(step, STRAIGHT):
             _check_straight(scene, step.kind, i)
+        elif isinstance(step, Form) and i:
+            cure = "a rope is formed once and first; move this step to the top, or remove it."
+            raise SceneError(f"steps[{i}].kind", cure, step.kind)
 
 
 def _check_bend(scene: Scene, step: Bend, i: int) -> None:

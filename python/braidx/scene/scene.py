@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, fields, replace
 
 from braidx.scene.core import Core
 from braidx.scene.defaults import with_depth, with_mesh
+from braidx.scene.effects import check_effects
 from braidx.scene.ends import EndConditions
 from braidx.scene.errors import SceneError
 from braidx.scene.fields import Spec, convert, type_hints
@@ -64,6 +65,7 @@ class Scene:
         object.__setattr__(self, "contact", with_depth(self))
         check_size(self)
         check_bending(self)
+        check_effects(self)
 
     def _check_type(self) -> None:
         if self.rope.type == "braid" and self.braid is None:

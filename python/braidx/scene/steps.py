@@ -72,6 +72,7 @@ class Settle(Step):
         1.0,
         doc="Share of what [[ends.groups]] prescribe (displacement, rotation, force, moment) that is reached at the "
         "end of the step, growing evenly from the share before in the first half of the increments.",
+        needs="groups",
     )
 
 
@@ -109,6 +110,7 @@ class Hold(Step):
         1.0,
         doc="Share of what [[ends.groups]] prescribe (displacement, rotation, force, moment) that is reached at the "
         "end of the step, growing evenly from the share before.",
+        needs="groups",
     )
 
 

@@ -36,7 +36,7 @@ def refuse(braidx, tmp_path, monkeypatch):
         ("rope.pitches=two", 'rope.pitches = "two": wrong type, give a whole number.'),
         ("rope.pitch=-36", "rope.pitch = -36.0: out of range"),
         ("rope.pitch=0", "rope.pitch = 0.0: out of range"),
-        ("strand.yarn_pitch=10", "strand.yarn_pitch = 10.0: rope.pitch = 36 mm is not a multiple"),
+        ("strand.yarn_pitch=10", "strand.yarn_pitch = 10.0: has no effect: the strand is one yarn"),
         ("braid.motif=[[1, -1, 1]]", "braid.motif: the 1 x 3 motif does not close"),
         ("yarn.radius=3", "yarn.radius = 3.0: 4 strands of diameter 6 mm per direction jam"),
         ("contact.fricton=0.1", "contact.fricton: unknown key; did you mean 'friction'?"),

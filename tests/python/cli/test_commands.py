@@ -226,7 +226,7 @@ def test_check_tells_of_a_rope_that_is_bent(invoke):
             f"about {12 * 289 * 97 * 3} as solids",
         ),
         (["yarn.models.3=cable"], f"{(11 * 9 + 3) * 145} as beams, cables"),
-        (["yarn.model=mixed"], "as mixed"),
+        (["yarn.model=mixed", "yarn.solid_stretch=30"], "as mixed"),
         (["yarn.model=auto"], "those of the models chosen when it runs, auto"),
     ],
 )

@@ -42,7 +42,7 @@ def bundle(*groups, model="cable", steps=PROGRAMME, rings=(1, 6), radius=1.1):
             axial_stiffness=1e5,
             model=model,
             elements_per_pitch=16,
-            bundle_factor=0.1,
+            bundle_factor=0.1 if model == "beam" else 1e-3,
         ),
         contact=ContactOptions(friction=0.1),
         ends=EndConditions(transverse="free", groups=groups),

@@ -28,7 +28,8 @@ def straight_lines(scene: Scene, state: State) -> tuple[Floats, ...]:
         state: Of a rope as placed or formed: one pitch, or all of it.
     """
     num_yarns = build_rope(scene).num_yarns
-    block = 9 if state.forms and formed_with_beams(scene) else 3
+    beams = formed_with_beams(scene) if state.forms else state.model == "beam"
+    block = 9 if beams else 3
     lines = state.q.reshape(num_yarns, -1, block)[:, :, :3]
     pitch = scene.rope.pitch
     pitches = round(scene.length / float(np.ptp(lines[0, [0, -1], 2])))

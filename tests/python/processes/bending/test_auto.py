@@ -60,7 +60,7 @@ def test_a_little_strain_is_a_beams_own(beams):
 
 
 def test_yarns_with_a_model_of_their_own_keep_it():
-    model = bent_rope("yarn.seeds=4")
+    model = bent_rope()
     assert upgrades(model, squeezed(picture_of(model), 2, 9, 0.2)) == []
 
 

@@ -15,12 +15,13 @@ from braidx.processes.bending.yarn_states import axial_stress, centre_lines
 from braidx.scene import load_scene
 
 SCENE = Path(__file__).parent / "small_bend.toml"
+MIXED = ["yarn.model=mixed", "yarn.solid_stretch=14"]
 MODELS = {
     "cables and beam": ["yarn.model=cable"],
     "beams and solid": ["core.model=solid", "core.seeds=8"],
     "solids": ["yarn.model=solid", "yarn.seeds=4", "core.model=solid", "core.seeds=8"],
-    "mixed": ["yarn.model=mixed", "yarn.seeds=4", "core.model=solid", "core.seeds=8"],
-    "mixed with cables": ["yarn.model=mixed", "yarn.outer_model=cable", "yarn.seeds=4"],
+    "mixed": [*MIXED, "yarn.seeds=4", "core.model=solid", "core.seeds=8"],
+    "mixed with cables": [*MIXED, "yarn.outer_model=cable", "yarn.seeds=4"],
 }
 
 

@@ -30,7 +30,9 @@ def test_yarns_of_one_model_are_one_stretch(model):
 
 
 def test_mixed_yarns_are_solid_about_the_crown_and_covered_from_end_to_end():
-    scene = load_scene(SCENE, ["yarn.model=mixed", "yarn.outer_model=cable"])
+    scene = load_scene(
+        SCENE, ["yarn.model=mixed", "yarn.outer_model=cable", "yarn.solid_stretch=14"]
+    )
     lines = build_rope(scene).centre_lines
     for yarn in range(6):
         mine = [s for s in stretches_of(scene, lines) if s.yarn == yarn]
