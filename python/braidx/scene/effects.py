@@ -104,11 +104,6 @@ def _forms(scene: Scene) -> bool:
 
 NEEDS = {
     "beams": Need(_beams, "no yarn is a beam", "beams"),
-    "beams or beam core": Need(
-        lambda scene: _beams(scene) or _core(scene, "beam"),
-        "no yarn is a beam, nor is a core that is bent",
-        "beams, and cores of bent ropes that are beams",
-    ),
     "placed beams": Need(
         _placed_beams,
         "no beam is placed: beams of bent ropes are free of stress in the straight rope",

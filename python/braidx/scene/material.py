@@ -130,7 +130,6 @@ class YarnModel(Table):
     axial_law: str = option(
         "Saint-Venant-Kirchhoff",
         choices=("Saint-Venant-Kirchhoff", "linear"),
-        needs="beams or beam core",
         doc="Force along the fibres of beams: linear in their Green-Lagrange strain, as in solids, or in their "
         "stretch, as in cables; 1.5 % apart at 1 % strain. It is that of a core of beams too.",
     )

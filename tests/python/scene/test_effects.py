@@ -160,7 +160,10 @@ def test_a_material_says_what_it_is_whatever_yarns_are_modelled_as():
     assert scene_from_dict(tomllib.loads(text), "x").yarn.bundle_factor == 0.1
 
 
-def test_what_a_value_on_the_command_line_takes_the_effect_from_is_left_out(tmp_path, caplog):
+def test_what_a_value_on_the_command_line_takes_the_effect_from_is_left_out(
+    tmp_path, caplog, monkeypatch
+):
+    monkeypatch.setattr(logging.getLogger("braidx"), "propagate", True)  # runs switch it off
     path = tmp_path / "x.toml"
     path.write_text(STRAND + 'model = "beam"\nbundle_factor = 0.1\n' + SETTLE)
     with caplog.at_level(logging.WARNING, "braidx"):
