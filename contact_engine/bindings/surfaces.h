@@ -14,12 +14,13 @@ struct OwnedSurfaces {
     operator DeformableSurfaces() const { return {tubes, skins}; }
 };
 
-inline std::vector<Tube>
-make_tubes(const In<std::int64_t>& first_unknown, const In<std::int32_t>& num_elements,
-           const In<std::int32_t>& degree, const In<std::int32_t>& block, const In<double>& radius,
-           const In<double>& element_length, const In<std::int32_t>& body, const In<bool>& is_image,
-           bool smooth, int beyond, const std::vector<int>& group, const std::vector<int>& closed,
-           bool round_ends) {
+inline std::vector<Tube> make_tubes(const In<std::int64_t>& first_unknown,
+                                    const In<std::int32_t>& num_elements,
+                                    const In<std::int32_t>& degree, const In<std::int32_t>& block,
+                                    const In<double>& radius, const In<double>& element_length,
+                                    const In<std::int32_t>& body, const In<bool>& is_image,
+                                    bool smooth, int beyond, const std::vector<int>& group,
+                                    const std::vector<int>& closed, bool round_ends) {
     std::vector<Tube> tubes;
     for (std::size_t i = 0; i < radius.size(); ++i)
         tubes.push_back({first_unknown.data()[i], num_elements.data()[i], degree.data()[i],

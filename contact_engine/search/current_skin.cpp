@@ -18,10 +18,9 @@ constexpr double sine_sharp = 0.1;
 } // namespace
 
 CurrentSkin::CurrentSkin(const Skin& skin, Unknowns q, double reach)
-    : skin_(&skin), q_(q), reach_(reach),
-      nodal_(nodal_normals(skin, q)), box_{Vec3::Constant(std::numeric_limits<double>::infinity()),
-                                           Vec3::Constant(
-                                               -std::numeric_limits<double>::infinity())},
+    : skin_(&skin), q_(q), reach_(reach), nodal_(nodal_normals(skin, q)),
+      box_{Vec3::Constant(std::numeric_limits<double>::infinity()),
+           Vec3::Constant(-std::numeric_limits<double>::infinity())},
       tree_(make_boxes()) {}
 
 std::vector<Box> CurrentSkin::make_boxes() {

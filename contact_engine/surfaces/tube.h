@@ -27,8 +27,8 @@ struct Tube {
     bool is_image = false;   ///< its equilibrium repeats that of another tube, by symmetry: nobody
                              ///< asks for the rows of its unknowns in residual and tangent
     std::int32_t beyond = 0; ///< elements past either end, for contact across the ends of a sample
-    int group = -1;          ///< surfaces of one group, from 0, are never paired: pieces of one yarn
-    bool is_closed = false;  ///< of num_elements * degree nodes
+    int group = -1;         ///< surfaces of one group, from 0, are never paired: pieces of one yarn
+    bool is_closed = false; ///< of num_elements * degree nodes
     bool round_ends = false; ///< whether its ends touch, as half spheres of its radius
 
     /// Not at a node, where contacts may be by symmetry, and on either side but for round-off.
