@@ -1,11 +1,12 @@
 #include "assembly/assemble.h"
 #include "assembly/memory.h"
+#include "bindings/checks.h"
+#include "bindings/crossings.h"
 #include "bindings/elements.h"
-#include "bindings/surfaces.h"
+#include "bindings/rigid.h"
 #include "pairing/pairing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
@@ -23,28 +24,6 @@ namespace {
 
 /// Other Python threads go on while the engine works on arrays and objects of its own.
 constexpr nb::call_guard<nb::gil_scoped_release> without_gil;
-
-std::vector<Crossing> make_crossings(const In<std::int32_t>& tubes, const In<double>& windows,
-                                     const In<std::int32_t>& order, const In<double>& axis) {
-    const Vec3 point = Eigen::Map<const Vec3>(axis.data()),
-               direction = Eigen::Map<const Vec3>(axis.data() + 3);
-    std::vector<Crossing> out;
-    for (std::size_t i = 0; i < tubes.size() / 2; ++i) {
-        const auto* t = tubes.data() + 2 * i;
-        const auto* w = windows.data() + 4 * i;
-        out.push_back(
-            {t[0], t[1], w[0], w[1], w[2], w[3], order.data()[i], point, direction.normalized()});
-    }
-    return out;
-}
-
-auto heights(const std::vector<Tube>& tubes, const std::vector<Crossing>& crossings,
-             const In<double>& q) {
-    return make_array<double>({crossings.size()}, [&](double* out) {
-        for (const auto& c : crossings)
-            *out++ = crossing_height(tubes, view(q), c).value_or(NAN);
-    });
-}
 
 auto pair_arrays(const std::vector<ElementPair>& pairs) {
     return make_array<std::int32_t>({pairs.size(), 4}, [&](std::int32_t* out) {
@@ -65,19 +44,7 @@ NB_MODULE(braidx_engine, m) {
     nb::implicitly_convertible<std::vector<Tube>, OwnedSurfaces>();
     nb::class_<std::vector<Crossing>>(m, "Crossings")
         .def("__len__", [](const std::vector<Crossing>& c) { return c.size(); });
-    nb::class_<Rigid>(m, "Rigid")
-        .def(
-            "distances",
-            [](const Rigid& rigid, const In<double>& points) {
-                return make_array<double>({points.size() / 3}, [&](double* out) {
-                    for (std::size_t i = 0; i < points.size() / 3; ++i) {
-                        const Vec3 x = Eigen::Map<const Vec3>(points.data() + 3 * i);
-                        const auto nearest = rigid.nearest(x);
-                        out[i] = (x - nearest.position).dot(nearest.normal);
-                    }
-                });
-            },
-            "points"_a, "Signed distances of points, shape (n, 3), negative within the solid, mm.");
+    bind_rigid(m);
     nb::class_<ContactElements>(m, "ContactElements")
         .def(nb::init<>())
         .def("__len__", [](const ContactElements& e) { return e.size(); })
@@ -133,10 +100,10 @@ NB_MODULE(braidx_engine, m) {
     m.def(
         "make_surfaces",
         [](const std::vector<Tube>& tubes, const nb::list& skins) {
-            OwnedSurfaces out{tubes, {}};
+            std::vector<Skin> all;
             for (const auto skin : skins)
-                out.skins.push_back(nb::cast<const Skin&>(skin));
-            return out;
+                all.push_back(nb::cast<const Skin&>(skin));
+            return OwnedSurfaces(tubes, std::move(all));
         },
         "tubes"_a, "skins"_a);
     m.def("make_crossings", &make_crossings, "tubes"_a, "windows"_a, "order"_a, "axis"_a);
@@ -145,6 +112,11 @@ NB_MODULE(braidx_engine, m) {
         [](const OwnedSurfaces& surfaces, const std::vector<Crossing>& crossings,
            const std::vector<Rigid>& rigid, const In<double>& q, const In<double>& q_start,
            const ContactElements& previous, const PairingOptions& options) {
+            require_unknowns(surfaces, q, "q");
+            require_unknowns(surfaces, q_start, "q_start");
+            require_elements(surfaces, previous, "previous");
+            require_crossings(surfaces.tubes, crossings);
+            require_options(surfaces, rigid, options);
             return make_contact_elements({surfaces.tubes, crossings, rigid, surfaces.skins},
                                          view(q), previous, options, view(q_start));
         },
@@ -154,6 +126,9 @@ NB_MODULE(braidx_engine, m) {
         "set_rest_overlaps",
         [](PairingOptions& options, const In<std::int32_t>& surface,
            const In<std::int64_t>& station, const In<double>& depth) {
+            require_shape(depth, "depth", {-1});
+            require_shape(surface, "surface", shape_of(depth));
+            require_shape(station, "station", shape_of(depth));
             options.rest_overlaps.clear();
             for (std::size_t i = 0; i < depth.size(); ++i) {
                 auto& deepest = options.rest_overlaps[{surface.data()[i], station.data()[i]}];
@@ -162,38 +137,11 @@ NB_MODULE(braidx_engine, m) {
         },
         "options"_a, "surface"_a, "station"_a, "depth"_a);
     m.def(
-        "make_plane",
-        [](const In<double>& point, const In<double>& normal, int body) {
-            return Rigid{Plane{vector3(point), vector3(normal).normalized()}, body};
-        },
-        "point"_a, "normal"_a, "body"_a);
-    m.def(
-        "make_cylinder",
-        [](const In<double>& point, const In<double>& axis, double radius, bool hollow, int body) {
-            return Rigid{Cylinder{vector3(point), vector3(axis).normalized(), radius, hollow},
-                         body};
-        },
-        "point"_a, "axis"_a, "radius"_a, "hollow"_a, "body"_a);
-    m.def(
-        "make_sheave",
-        [](const In<double>& centre, const In<double>& axis, double radius, double groove_radius,
-           int body) {
-            return Rigid{Sheave{vector3(centre), vector3(axis).normalized(), radius, groove_radius},
-                         body};
-        },
-        "centre"_a, "axis"_a, "radius"_a, "groove_radius"_a, "body"_a);
-    m.def(
-        "moved",
-        [](const Rigid& rigid, const In<double>& pivot, const In<double>& rotation,
-           const In<double>& translation) {
-            return Rigid{rigid.shape, rigid.body, vector3(pivot), vector3(rotation),
-                         vector3(translation)};
-        },
-        "rigid"_a, "pivot"_a, "rotation"_a, "translation"_a);
-    m.def(
         "is_own",
         [](const PairingOptions& options, const In<std::int64_t>& tube,
            const In<std::int64_t>& other) {
+            require_shape(tube, "tube", {-1});
+            require_shape(other, "other", shape_of(tube));
             return make_array<bool>({tube.size()}, [&](bool* out) {
                 for (std::size_t i = 0; i < tube.size(); ++i)
                     out[i] = is_own(options, tube.data()[i], other.data()[i]);
@@ -204,47 +152,70 @@ NB_MODULE(braidx_engine, m) {
         "cell_lengths",
         [](const std::vector<Tube>& tubes, const In<std::int64_t>& a, const In<std::int64_t>& b,
            double spacing) {
+            require_shape(a, "a", {-1});
+            require_shape(b, "b", shape_of(a));
+            const auto tube = [&](std::int64_t number) {
+                require(number >= 0 && std::cmp_less(number, tubes.size()), "a tube", number,
+                        "a number from 0, below ", tubes.size());
+                return tubes[static_cast<std::size_t>(number)];
+            };
             return make_array<double>({a.size()}, [&](double* out) {
                 for (std::size_t i = 0; i < a.size(); ++i)
-                    out[i] = cell_length(tubes[a.data()[i]], tubes[b.data()[i]], spacing);
+                    out[i] = cell_length(tube(a.data()[i]), tube(b.data()[i]), spacing);
             });
         },
         "tubes"_a, "a"_a, "b"_a, "spacing"_a);
     m.def(
         "make_pattern",
         [](const OwnedSurfaces& surfaces, const ContactElements& elements, double reach,
-           int num_threads) { return make_pattern(surfaces, elements, reach, num_threads); },
+           int num_threads) {
+            require_elements(surfaces, elements);
+            return make_pattern(surfaces, elements, reach, num_threads);
+        },
         "surfaces"_a, "elements"_a, "reach"_a = 0.0, "num_threads"_a = 1, without_gil);
     m.def(
         "place",
         [](Pattern& pattern, const OwnedSurfaces& surfaces, const ContactElements& elements,
-           int num_threads) { return place(pattern, surfaces, elements, num_threads); },
+           int num_threads) {
+            require_elements(surfaces, elements);
+            return place(pattern, surfaces, elements, num_threads);
+        },
         "pattern"_a, "surfaces"_a, "elements"_a, "num_threads"_a = 1, without_gil);
     m.def(
         "add_residual",
         [](const OwnedSurfaces& surfaces, const ContactElements& elements, const In<double>& q,
            const In<double>& q_start, const ContactLaws& laws, const InOut<double>& residual,
            int num_threads) {
+            require_state(surfaces, elements, q, q_start, laws);
+            require_shape(residual, "residual", shape_of(q));
             add_residual(surfaces, elements, view(q), view(q_start), laws, view(residual),
                          num_threads);
         },
-        "surfaces"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "residual"_a, "num_threads"_a = 1,
-        without_gil);
+        "surfaces"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "residual"_a.noconvert(),
+        "num_threads"_a = 1, without_gil);
     m.def(
         "add_tangent",
         [](const OwnedSurfaces& surfaces, const ContactElements& elements, const Pattern& pattern,
            const In<double>& q, const In<double>& q_start, const ContactLaws& laws, bool symmetric,
            const InOut<double>& values, int num_threads) {
+            require_state(surfaces, elements, q, q_start, laws);
+            require(pattern.first_slot.size() == elements.size(), "pattern",
+                    "one of " + std::to_string(pattern.first_slot.size()) + " elements",
+                    "one of these ", elements.size());
+            require(values.size() == 9 * pattern.row.size(), "values",
+                    "an array of shape " + written_shape(shape_of(values)), "one of ",
+                    9 * pattern.row.size(), " numbers");
             add_tangent(surfaces, elements, pattern, view(q), view(q_start), laws,
                         symmetric ? FrictionTangent::symmetric : FrictionTangent::consistent,
                         view(values), num_threads);
         },
         "surfaces"_a, "elements"_a, "pattern"_a, "q"_a, "q_start"_a, "laws"_a, "symmetric"_a,
-        "values"_a, "num_threads"_a = 1, without_gil);
+        "values"_a.noconvert(), "num_threads"_a = 1, without_gil);
     m.def(
         "commit",
         [](const OwnedSurfaces& surfaces, ContactElements& elements, const In<double>& q,
            const In<double>& q_start, const ContactLaws& laws, int num_threads) {
+            require_state(surfaces, elements, q, q_start, laws);
             const auto done = commit(surfaces, elements, view(q), view(q_start), laws, num_threads);
             return std::pair(done.work, done.penetration);
         },
@@ -254,6 +225,10 @@ NB_MODULE(braidx_engine, m) {
         [](const OwnedSurfaces& surfaces, ContactElements& elements, const In<double>& q,
            double tolerance, double growth, double elsewhere, int num_threads,
            const std::optional<In<bool>>& held) {
+            require_elements(surfaces, elements);
+            require_unknowns(surfaces, q, "q");
+            if (held)
+                require_shape(*held, "held", shape_of(q));
             return adapt_stiffness(surfaces, elements, view(q), tolerance, growth, elsewhere,
                                    num_threads, held ? view(*held) : std::span<const bool>{});
         },
@@ -263,6 +238,8 @@ NB_MODULE(braidx_engine, m) {
         "deepest_penetration",
         [](const OwnedSurfaces& surfaces, const ContactElements& elements, const In<double>& q,
            int num_threads) {
+            require_elements(surfaces, elements);
+            require_unknowns(surfaces, q, "q");
             return deepest_penetration(surfaces, elements, view(q), num_threads);
         },
         "surfaces"_a, "elements"_a, "q"_a, "num_threads"_a = 1, without_gil);
@@ -270,6 +247,7 @@ NB_MODULE(braidx_engine, m) {
         "sum_normal_forces",
         [](const OwnedSurfaces& surfaces, const ContactElements& elements, const In<double>& q,
            const In<double>& q_start, const ContactLaws& laws, int num_threads) {
+            require_state(surfaces, elements, q, q_start, laws);
             const auto sums =
                 sum_normal_forces(surfaces, elements, view(q), view(q_start), laws, num_threads);
             return std::pair(sums.rigid, sums.all);
@@ -290,6 +268,7 @@ NB_MODULE(braidx_engine, m) {
     m.def(
         "close_pairs",
         [](const std::vector<Tube>& tubes, const In<double>& q, const SearchOptions& options) {
+            require_unknowns(OwnedSurfaces(tubes), q, "q");
             return pair_arrays(close_pairs(tubes, view(q), options));
         },
         "tubes"_a, "q"_a, "options"_a);

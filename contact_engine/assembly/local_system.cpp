@@ -1,6 +1,7 @@
 #include "local_system.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace braidx {
@@ -25,6 +26,7 @@ struct Side {
 
 /// Adds a vector unknown with its weight in a side's material particle.
 void add_unknown(LocalSystem& system, std::int64_t unknown, double weight, bool of_b, Unknowns q) {
+    assert(system.count < LocalSystem::capacity);
     const int i = system.count++;
     system.unknown[i] = unknown;
     system.of_b[i] = of_b;
@@ -147,6 +149,7 @@ int LocalSystem::find(std::int64_t number) const {
 int LocalSystem::index_of(std::int64_t number, bool belongs_to_b) {
     const int index = find(number);
     if (index == count) {
+        assert(count < capacity);
         unknown[index] = number;
         of_b[index] = belongs_to_b;
         gap_weight[index].setZero();

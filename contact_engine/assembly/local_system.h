@@ -18,6 +18,8 @@ namespace braidx {
 /// section that turns leaves the gap unchanged, also where it turns more than the next one
 /// (interpolated directors would get shorter there).
 struct LocalSystem {
+    /// Two facets have 18 unknowns, two beams of degree 2 have 18 and 8 more where they moved on
+    /// to.
     static constexpr int capacity = 36;
     using Weights = std::array<double, capacity>;
     using Numbers = std::array<std::int64_t, capacity>;

@@ -35,7 +35,8 @@ struct Reaction {
                               ///< seen by what turns with the pair
     Vec3 friction_force = Vec3::Zero();
 
-    bool acts() const { return normal_force > 0; }
+    /// One that is not a number acts: the residual then tells that a state diverged.
+    bool acts() const { return !(normal_force <= 0); }
 };
 
 /// Reaction at q; q_start is the configuration at the start of the increment.

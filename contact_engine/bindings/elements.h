@@ -1,8 +1,7 @@
 #pragma once
 
-#include "../assembly/reaction.h"
 #include "../parallel.h"
-#include "surfaces.h"
+#include "checks.h"
 
 /// Contact elements as a dictionary of arrays and back, and their results.
 namespace braidx::bindings {
@@ -47,25 +46,41 @@ inline nb::dict element_arrays(const ContactElements& elements) {
     return out;
 }
 
-template <class T> const T* column(const nb::dict& arrays, const char* name) {
-    return nb::cast<In<T>>(arrays[name], false).data();
+/// A column of a dictionary of arrays: `width` numbers for each of `count` elements.
+template <class T>
+const T* column(const nb::dict& arrays, const char* name, std::int64_t count,
+                std::int64_t width = 1) {
+    require(arrays.contains(name), name, "missing", "an array of it");
+    In<T> array;
+    require(nb::try_cast(arrays[name], array, false), name, "no array of the right type",
+            "one as `arrays` gives it");
+    require_shape(array, name,
+                  width == 1 ? std::vector{count} : std::vector<std::int64_t>{count, width});
+    return array.data();
 }
 
+/// Arrays as `element_arrays` gives them, of a checkpoint perhaps.
 inline ContactElements elements_from_arrays(const nb::dict& arrays) {
-    const auto* tubes = column<std::int32_t>(arrays, "tubes");
-    const auto *s = column<double>(arrays, "s"), *normal = column<double>(arrays, "normal"),
-               *weight = column<double>(arrays, "weight"),
-               *stiffness = column<double>(arrays, "stiffness"), *xi = column<double>(arrays, "xi"),
-               *slip = column<double>(arrays, "slip"), *work = column<double>(arrays, "work"),
-               *allowance = column<double>(arrays, "allowance"),
-               *wall = column<double>(arrays, "wall"), *round = column<double>(arrays, "round");
-    const auto* station = column<std::int64_t>(arrays, "station");
-    const auto *zone = column<std::int32_t>(arrays, "zone"),
-               *body_b = column<std::int32_t>(arrays, "body_b"),
-               *follows = column<std::int32_t>(arrays, "follows"),
-               *facet = column<std::int32_t>(arrays, "facet"),
-               *crossing = column<std::int32_t>(arrays, "crossing");
-    ContactElements out(nb::cast<In<double>>(arrays["weight"]).size());
+    require(arrays.contains("weight"), "weight", "missing", "an array of it");
+    const auto n = static_cast<std::int64_t>(nb::len(nb::object(arrays["weight"])));
+    const auto* tubes = column<std::int32_t>(arrays, "tubes", n, 2);
+    const auto *s = column<double>(arrays, "s", n, 2),
+               *normal = column<double>(arrays, "normal", n, 3),
+               *weight = column<double>(arrays, "weight", n),
+               *stiffness = column<double>(arrays, "stiffness", n),
+               *xi = column<double>(arrays, "xi", n, 4),
+               *slip = column<double>(arrays, "slip", n, 3),
+               *work = column<double>(arrays, "work", n),
+               *allowance = column<double>(arrays, "allowance", n),
+               *wall = column<double>(arrays, "wall", n, 6),
+               *round = column<double>(arrays, "round", n, 2);
+    const auto* station = column<std::int64_t>(arrays, "station", n);
+    const auto *zone = column<std::int32_t>(arrays, "zone", n),
+               *body_b = column<std::int32_t>(arrays, "body_b", n),
+               *follows = column<std::int32_t>(arrays, "follows", n),
+               *facet = column<std::int32_t>(arrays, "facet", n, 2),
+               *crossing = column<std::int32_t>(arrays, "crossing", n);
+    ContactElements out(static_cast<std::size_t>(n));
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] = {.surface_a = tubes[2 * i],
                   .surface_b = tubes[2 * i + 1],
@@ -118,6 +133,7 @@ inline nb::dict contact_results(const OwnedSurfaces& surfaces, const ContactElem
         double gap, normal_force, energy;
         Vec3 friction_force, position;
     };
+    require_state(surfaces, elements, q, q_start, laws);
     const auto n = elements.size();
     const auto results = parallel_map(n, num_threads, [&](std::size_t i) -> Result {
         const auto& e = elements[i];

@@ -1,6 +1,7 @@
 #include "pairing.h"
 
 #include "../parallel.h"
+#include "../surfaces/finite.h"
 #include "builder.h"
 #include "end_stations.h"
 #include "rules.h"
@@ -213,6 +214,8 @@ bool is_own(const PairingOptions& options, std::int64_t surface, std::int64_t ot
 ContactElements make_contact_elements(const Surfaces& surfaces, Unknowns q,
                                       const ContactElements& previous,
                                       const PairingOptions& options, Unknowns q_start) {
+    require_finite(q);
+    require_finite(q_start);
     const Builder builder(surfaces.deformable(), q, q_start.empty() ? q : q_start, previous,
                           options);
     const auto stations = own_crossings(surfaces, q, options);

@@ -89,5 +89,8 @@ def no_crossings() -> Any:
     """Engine object for scenes without prescribed stacking order."""
     nothing = np.empty(0, np.int32)
     return engine.make_crossings(
-        tubes=nothing, windows=np.empty(0), order=nothing, axis=np.array([0, 0, 0, 0, 0, 1.0])
+        tubes=nothing.reshape(0, 2),
+        windows=np.empty((0, 4)),
+        order=nothing,
+        axis=np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
     )

@@ -136,8 +136,8 @@ def engine_crossings(rope: Rope, lengths: Floats, beyond: float) -> Any:
                     )
                     order.append(sign)
     return engine.make_crossings(
-        tubes=np.array(tubes, np.int32).ravel(),
-        windows=np.array(windows, float).ravel(),
+        tubes=np.array(tubes, np.int32).reshape(-1, 2),
+        windows=np.array(windows, float).reshape(-1, 4),
         order=np.array(order, np.int32),
-        axis=np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
+        axis=np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
     )

@@ -17,7 +17,7 @@ from .ends import Ends
 from .form import keeps_lengths
 from .grouped_ends import GroupedEnds
 from .model import RopeModel
-from .state import CELL, State
+from .state import CELL, State, restore_contacts
 from .yarns import beam_body, cable_body
 
 
@@ -97,8 +97,7 @@ def make_model(comm: MPI.Comm, scene: Scene, state: State) -> RopeModel:
         density = state.rest_tension**2 / (2.0 * scene.yarn.axial_stiffness)
         model.preload_energy = float(density @ body.rest_lengths())
     model.contact.start = model.proximal.start = state.q
-    if state.contacts:
-        model.contact.restore_arrays(state.contacts)
+    restore_contacts(model.contact, state)
     return model
 
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ..contact.contact import Contact
 from ..output.summary import PhaseCost
 from ..scene import SceneError
 from ..system.constraints import Floats, Ints
@@ -118,5 +119,23 @@ def load(folder: Path) -> State | None:
         numbers["costs"] = {name: PhaseCost(**cost) for name, cost in numbers["costs"].items()}
         return State(contacts=contacts, **arrays, **numbers)
     except (OSError, ValueError, LookupError, TypeError, zipfile.BadZipFile) as error:
-        cure = f"{path} cannot be read ({error}); leave --resume out and choose another --out."
-        raise SceneError("--resume", cure) from None
+        raise _broken(str(path), error) from None
+
+
+def restore_contacts(contact: Contact, state: State) -> None:
+    """Gives contact the history that a state has, if any.
+
+    Raises:
+        SceneError: If it fits neither itself nor the surfaces there are.
+    """
+    if not state.contacts:
+        return
+    try:
+        contact.restore_arrays(state.contacts)
+    except (ValueError, LookupError) as error:
+        raise _broken(f"the contact history in {FILE}", error) from None
+
+
+def _broken(what: str, error: Exception) -> SceneError:
+    cure = f"{what} cannot be read ({error}); leave --resume out and choose another --out."
+    return SceneError("--resume", cure)

@@ -38,7 +38,7 @@ def push_apart(equilibria: Equilibria, layout: Layout, contact: Contact, q: Floa
         NotConverged: If centre lines coincide or no such equilibrium is found.
     """
     radius, names = contact.layout.radius, layout.surface_rods
-    coinciding = Chords.of(layout, contact).meetings(q, near=COINCIDE)
+    coinciding = Chords.of(layout, contact, q).meetings(q, near=COINCIDE)
     if coinciding:
         raise NotConverged(
             "the centre lines of rods {} and {} meet at the start: place the rods beside each other".format(

@@ -82,7 +82,7 @@ class HeldEnds:
         places = self._unknowns.reshape(-1, 3)
         radius = self._radius[self._rods].repeat(2)
         for number, rigid in enumerate(self._contact.rigid):
-            now, rest = (rigid.distances(q[places].ravel()) for q in (held, self._rest))
+            now, rest = (rigid.distances(q[places]) for q in (held, self._rest))
             allowed = np.minimum(self._penetration, (1.0 - NEAR) * radius) + HIDDEN * radius
             hidden = radius - now - np.maximum(allowed, radius - rest)
             if hidden.max() > 0.0:

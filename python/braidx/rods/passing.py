@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+import scipy.sparse as sp
 from scipy.spatial import cKDTree
 
 from ..contact.contact import Contact
@@ -13,6 +14,7 @@ from ..solver.trial import Diverged
 from ..system.terms import Floats, Ints
 from .chords import chord_distances
 from .layout import Layout
+from .true_curve import curve_points
 
 NEAR = 0.5  # sums of radii: centre lines that come nearer have passed, or are about to
 PACE = 0.5  # thinnest radii that nodes move between two looks: a passage is as long as two radii at least
@@ -33,11 +35,11 @@ def refuse_passing(
     Raises:
         Diverged: If centre lines meet.
     """
-    chords = Chords.of(layout, contact)
+    chords = Chords.of(layout, contact, before, after)
     met = chords.meetings(after)
     if met:
         raise Diverged("rods {} and {} are deep in each other".format(*min(met)), 0, 0)
-    motion = (after - before)[chords.positions]
+    motion = chords.points(after - before)
     motion -= motion.mean(axis=0)
     moved = np.linalg.norm(motion, axis=1)
     looks = int(moved.max() / (PACE * contact.min_radius))
@@ -63,11 +65,12 @@ def refuse_passing(
 
 @dataclass(frozen=True)
 class Chords:
-    """Straight pieces between neighbouring nodes of all rods.
+    """Straight pieces between neighbouring points on the true curves of all rods.
 
     Attributes:
         positions: Unknowns of the positions of all nodes, rod by rod, shape (num_nodes, 3).
-        first: Node that each chord starts at, the next one being its end, shape (num_chords,).
+        weights: Of nodes in points, rod by rod, shape (num_points, num_nodes).
+        first: Point that each chord starts at, the next one being its end, shape (num_chords,).
         rod: Of each chord, shape (num_chords,).
         radius: Of each chord's rod as contact sees it, mm, shape (num_chords,).
         kept: Where on each chord, from 0 to 1, what counts begins and ends, shape (num_chords, 2): solids end in flat
@@ -78,6 +81,7 @@ class Chords:
     """
 
     positions: Ints
+    weights: sp.csr_matrix
     first: Ints
     rod: Ints
     radius: Floats
@@ -87,24 +91,40 @@ class Chords:
     others: bool
 
     @classmethod
-    def of(cls, layout: Layout, contact: Contact) -> Chords:
+    def of(cls, layout: Layout, contact: Contact, *states: Floats) -> Chords:
+        """Chords near the true curves in some states, shape (num_unknowns,) each."""
         rods = range(len(layout.first))
         positions = np.concatenate([layout.unknowns(rod, slice(None))[:, :3] for rod in rods])
-        owner = np.repeat(rods, layout.num_nodes)
+        parts = [curve_points(layout, rod, states) for rod in rods]
+        owner = np.repeat(rods, [part.shape[0] for part in parts])
         first = np.flatnonzero(owner[1:] == owner[:-1])
         rod = owner[first]
         radius = layout.radius.copy()
         radius[layout.surface_rods[: len(contact.layout.radius)]] = contact.layout.radius
         exclusion = float(contact.pairing.search.self_exclusion)
         others = contact.layout.group is None
-        kept = np.concatenate([_kept(layout, rod) for rod in rods])
+        kept = np.concatenate([_kept(layout, rod, parts[rod]) for rod in rods])
         closed = np.isin(rod, list(layout.joints.rods))
-        return cls(positions, first, rod, radius[rod], kept, closed, exclusion, others)
+        return cls(
+            positions,
+            sp.block_diag(parts, format="csr"),
+            first,
+            rod,
+            radius[rod],
+            kept,
+            closed,
+            exclusion,
+            others,
+        )
+
+    def points(self, state: Floats) -> Floats:
+        """Where they are in a state, or how far they are moved by a change of unknowns, shape (num_points, 3), mm."""
+        return np.asarray(self.weights @ state[self.positions])
 
     def longest(self, state: Floats) -> float:
         """Length of the longest chord, mm."""
-        nodes = state[self.positions]
-        return float(np.linalg.norm(nodes[self.first + 1] - nodes[self.first], axis=1).max())
+        points = self.points(state)
+        return float(np.linalg.norm(points[self.first + 1] - points[self.first], axis=1).max())
 
     def meetings(
         self, state: Floats, motion: Floats | None = None, near: float = NEAR
@@ -113,13 +133,13 @@ class Chords:
 
         Args:
             state: Unknowns, shape (num_unknowns,).
-            motion: How far each node may move from there, shape (num_nodes,), mm; none by default.
+            motion: How far each point may move from there, shape (num_points,), mm; none by default.
             near: Distance that is too near, sums of radii.
         """
-        may_move = np.zeros(len(self.positions)) if motion is None else motion
+        may_move = np.zeros(self.weights.shape[0]) if motion is None else motion
         ways = np.maximum(may_move[self.first], may_move[self.first + 1])
-        nodes = state[self.positions]
-        begin, way = nodes[self.first], nodes[self.first + 1] - nodes[self.first]
+        points = self.points(state)
+        begin, way = points[self.first], points[self.first + 1] - points[self.first]
         length = np.linalg.norm(way, axis=1)
         begin, end = (begin + at[:, None] * way for at in self.kept.T)
         middle = (begin + end) / 2.0
@@ -145,10 +165,10 @@ class Chords:
         return np.where(self.rod[i] == self.rod[j], may_itself, self.others)
 
 
-def _kept(layout: Layout, rod: int) -> Floats:
-    """Where what counts of each chord of a rod begins and ends, shape (num_nodes - 1, 2)."""
-    nodes = layout.rest[layout.unknowns(rod, slice(None))[:, :3]]
-    length = np.linalg.norm(np.diff(nodes, axis=0), axis=1)
+def _kept(layout: Layout, rod: int, weights: sp.csr_matrix) -> Floats:
+    """Where what counts of each chord of a rod begins and ends, shape (num_points - 1, 2)."""
+    points = weights @ layout.rest[layout.unknowns(rod, slice(None))[:, :3]]
+    length = np.linalg.norm(np.diff(points, axis=0), axis=1)
     arc = np.append(0.0, length.cumsum())
     face = layout.radius[rod] if rod in layout.sections else 0.0
     begin = (face - arc[:-1]) / length

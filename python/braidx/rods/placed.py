@@ -7,34 +7,35 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..system.terms import Floats, Ints
+from .given import numbers
 from .layout import Layout
 
 
-def placed(layout: Layout, q: Floats, lines: Mapping[int, Floats]) -> Floats:
-    """The state q with some rods elsewhere, shape (num_unknowns,).
+def placed(layout: Layout, q: Floats, guess: Floats | Mapping[int, Floats] | None) -> Floats | None:
+    """A state with rods where a first guess has them, shape (num_unknowns,), or None without one.
 
     Args:
-        lines: Nodes by number of the rod, shape (num_nodes, 3), mm; directors turn with the tangent at their node, as
-            little as they can.
+        q: The state now, shape (num_unknowns,).
+        guess: All unknowns, or nodes by number of the rod, shape (num_nodes, 3), mm; directors turn with the tangent at
+            their node, as little as they can.
     Raises:
-        ValueError: If a line has not the nodes of its rod.
+        ValueError: If the guess, or a line, has another shape, or numbers that are not finite.
     """
-    guess = q.copy()
-    for rod, line in lines.items():
+    if not isinstance(guess, Mapping):
+        return None if guess is None else numbers("guess", guess, q.size)
+    whole = q.copy()
+    for rod, given in guess.items():
         unknowns = layout.unknowns(rod, slice(None))
-        if np.shape(line) != (len(unknowns), 3):
-            raise ValueError(
-                f"guess of rod {rod} has shape {np.shape(line)}: give its {len(unknowns)} nodes"
-            )
-        before, after = _tangents(q[unknowns[:, :3]]), _tangents(np.asarray(line, dtype=float))
-        guess[unknowns[:, :3]] = line
+        line = numbers(f"guess of rod {rod}", given, len(unknowns), 3)
+        before, after = _tangents(q[unknowns[:, :3]]), _tangents(line)
+        whole[unknowns[:, :3]] = line
         for first in range(3, unknowns.shape[1], 3):
             director = unknowns[:, first : first + 3]
-            guess[director] = _turned(q[director], before, after)
+            whole[director] = _turned(q[director], before, after)
         if rod in layout.sections:
             sections = layout.sections[rod].nodes[:, :, None] + np.arange(3)
-            guess[sections] = _turned_sections(q, unknowns[:, :3], sections, line, before, after)
-    return guess
+            whole[sections] = _turned_sections(q, unknowns[:, :3], sections, line, before, after)
+    return whole
 
 
 def _turned_sections(

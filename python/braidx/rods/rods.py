@@ -17,6 +17,7 @@ from .contact import make_contact
 from .equilibria import Equilibria
 from .energy_balance import EnergyBalance, MotionStep
 from .inertia import InertiaTerm, Scheme
+from .given import numbers
 from .layout import lay_out
 from .loads import Loads
 from .motion import TimeSteps, make_inertia
@@ -157,24 +158,22 @@ class Rods(RodState):
     ) -> None:
         """Held nodes are turned by a rotation vector (radians) about a point or each about itself, then moved, mm."""
         unknowns = self.layout.unknowns(rod, nodes)
-        centre = None if about is None else np.asarray(about, dtype=float)
-        self.supports.move(
-            Motion(unknowns, np.asarray(turn, dtype=float), centre, np.asarray(by, dtype=float))
-        )
+        centre = None if about is None else numbers("about", about, 3)
+        self.supports.move(Motion(unknowns, numbers("turn", turn, 3), centre, numbers("by", by, 3)))
 
     def move_mean(self, group: int, by: npt.ArrayLike) -> None:
         """The mean position of a group moves, mm; of a group of some components, by as many."""
-        self.supports.shift_mean(group, np.asarray(by, dtype=float))
+        self.supports.shift_mean(group, numbers("by", by, np.size(by)))
 
     # What pulls
 
     def force(self, rod: int, nodes: Nodes, force: npt.ArrayLike) -> None:
         """Dead force on each of the nodes from the next equilibria on, N; it replaces the one before."""
-        self.loads.force(self.layout.unknowns(rod, nodes), np.asarray(force, dtype=float))
+        self.loads.force(self.layout.unknowns(rod, nodes), numbers("force", force, 3))
 
     def line_load(self, rod: int, load: npt.ArrayLike) -> None:
         """Dead load per length at rest along a rod, N/mm, shape (3,); it replaces the one before."""
-        self.loads.line(self.layout.unknowns(rod, ALL), np.asarray(load, dtype=float))
+        self.loads.line(self.layout.unknowns(rod, ALL), numbers("load", load, 3))
 
     def couple(self, rod: int, node: int, couple: npt.ArrayLike) -> None:
         """Couple on the section of a beam, its direction fixed in space, N mm; it replaces the one before.
@@ -182,7 +181,7 @@ class Rods(RodState):
         Raises:
             ValueError: If the rod is a cable, which has no sections.
         """
-        self.loads.couple(self.layout.unknowns(rod, node), np.asarray(couple, dtype=float), rod)
+        self.loads.couple(self.layout.unknowns(rod, node), numbers("couple", couple, 3), rod)
 
     # Equilibria
 
@@ -214,7 +213,7 @@ class Rods(RodState):
         if self.penetration is not None:
             self.q = push_apart(self._equilibria, self.layout, self.contact, self.q)
         self._start = take_off(self._equilibria, self.layout, self.loads, self.q)
-        whole = placed(self.layout, self.q, guess) if isinstance(guess, Mapping) else guess
+        whole = placed(self.layout, self.q, guess)
 
         def step(begin: float, end: float, before: Floats) -> Increment:
             first = self.q + before

@@ -125,6 +125,8 @@ Contact random_contact(const Kind& kind_a, const Kind& kind_b, double mu, double
 Contact mixed_contacts() {
     auto out = random_contact(smooth_beam, quadratic_cable, 0.2, 0.1, 3);
     out.rods.add_straight(smooth_cable, 6, 1.0, {0, 0, 0}, {0, 6, 0});
+    out.laws.num_bodies = 3;
+    out.laws.friction.assign(9, 0.2);
     const auto between = out.elements;
     for (const auto& e : between) {
         auto with_third = e, with_wall = e, with_itself = e;

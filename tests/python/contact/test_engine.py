@@ -37,9 +37,9 @@ def make_tubes(
 
 
 def no_crossings() -> Any:
-    nothing = np.empty(0, np.int32)
-    axis = np.array([0, 0, 0, 0, 0, 1.0])
-    return engine.make_crossings(tubes=nothing, windows=np.empty(0), order=nothing, axis=axis)
+    axis = np.array([[0, 0, 0], [0, 0, 1.0]])
+    nothing = np.empty((0, 2), np.int32)
+    return engine.make_crossings(nothing, np.empty((0, 4)), np.empty(0, np.int32), axis)
 
 
 def straight(start: list[float], end: list[float], num_nodes: int) -> Any:
@@ -183,7 +183,7 @@ def test_height_of_crossings_is_signed_or_not_a_number() -> None:
         tubes=np.array([[0, 1]] * 3, np.int32),
         windows=windows,
         order=np.array([1, -1, 1], np.int32),
-        axis=np.array([0, 0, 0, 0, 0, 1.0]),
+        axis=np.array([[0, 0, 0], [0, 0, 1.0]]),
     )
     assert len(crossings) == 3
     heights = engine.crossing_heights(tubes, crossings, q)

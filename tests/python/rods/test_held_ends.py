@@ -84,8 +84,8 @@ def test_distances_of_rigid_surfaces_have_a_sign():
     drum = engine.make_cylinder(np.zeros(3), np.array([0.0, 0.0, 1.0]), 3.0, False, 0)
     bore = engine.make_cylinder(np.zeros(3), np.array([0.0, 0.0, 1.0]), 3.0, True, 0)
     points = np.array([[5.0, 0.0, 7.0], [0.0, 1.0, 0.0]])
-    assert drum.distances(points.ravel()) == pytest.approx([2.0, -2.0])
-    assert bore.distances(points.ravel()) == pytest.approx([-2.0, 2.0])
+    assert drum.distances(points) == pytest.approx([2.0, -2.0])
+    assert bore.distances(points) == pytest.approx([-2.0, 2.0])
 
 
 def test_distances_of_chords_against_a_fine_sampling():

@@ -35,5 +35,5 @@ def test_an_equilibrium_is_found_from_where_a_rod_is_placed():
 
 
 def test_lines_of_another_number_of_nodes_are_refused():
-    with pytest.raises(ValueError, match="rod 0 has shape .5, 3.: give its 9 nodes"):
+    with pytest.raises(ValueError, match="guess of rod 0 has shape .5, 3.: give .9, 3."):
         Rods([BEAM]).solve(1, guess={0: np.zeros((5, 3))})

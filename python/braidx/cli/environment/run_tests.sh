@@ -22,10 +22,21 @@ build_for_machines() {
     BRAIDX_CMAKE_ARGS=$arguments
 }
 
+# ./braidx test --sanitize [Catch2 arguments]: the C++ tests alone, with every access to memory and every assertion checked.
+sanitize() {
+    BRAIDX_CMAKE_ARGS="${BRAIDX_CMAKE_ARGS:-} -DBRAIDX_SANITIZE=ON"
+    build engine_tests
+    "${inside[@]}" "$build/engine_tests" "$@"
+}
+
 # ./braidx test: C++ tests through ctest, then Python tests through pytest; fails if either does.
 
 run_tests() {
     local folders=() options=() argument machines='' cpp='not run' py code=0
+    if [ "${1:-}" = --sanitize ]; then
+        sanitize "${@:2}"
+        return
+    fi
     for argument in "$@"; do
         case $argument in
         --machines) folders+=("tests/machines") machines=yes ;;

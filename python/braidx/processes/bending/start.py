@@ -12,7 +12,7 @@ from ...geometry import build_rope
 from ...scene import Scene
 from ...system.constraints import Floats
 from ..directors import formed_with_beams
-from ..state import State
+from ..state import State, restore_contacts
 from .model import BentRope
 from .stretches import Stretch, as_table, from_table, stretches_of
 
@@ -75,6 +75,5 @@ def make_bent_rope(comm: MPI.Comm, scene: Scene, state: State) -> tuple[BentRope
     if not len(state.q):
         state = replace(state, q=model.start)
     model.contact.start = model.proximal.start = state.q
-    if state.contacts:
-        model.contact.restore_arrays(state.contacts)
+    restore_contacts(model.contact, state)
     return model, state
