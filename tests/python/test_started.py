@@ -15,10 +15,12 @@ SLEEP = 'echo $$ > "$1/$OMPI_COMM_WORLD_RANK"; exec sleep inf'
 @started.needs_mpirun
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGKILL])
 def test_ranks_end_with_the_test_that_started_them(tmp_path: Path, number: int) -> None:
-    code = f"import started; started.run('bash', '-c', {SLEEP!r}, '-', {str(tmp_path)!r}, ranks=2)"
+    # What runs in the background of a shell ignores interrupts, and so would what it starts.
+    heeds = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    run = f"import started; started.run('bash', '-c', {SLEEP!r}, '-', {str(tmp_path)!r}, ranks=2)"
     path = os.pathsep.join([str(Path(started.__file__).parent), os.environ.get("PYTHONPATH", "")])
     test = subprocess.Popen(
-        [sys.executable, "-c", code],
+        [sys.executable, "-c", f"{heeds}; {run}"],
         env=os.environ | {"PYTHONPATH": path},
         stderr=subprocess.DEVNULL,
     )
