@@ -13,6 +13,7 @@ import math
 import numbers
 import re
 import types
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, ClassVar, Union, get_args, get_origin, get_type_hints
 
@@ -74,10 +75,8 @@ class Table:
             object.__setattr__(self, field.name, value)
 
 
-@functools.cache
-def type_hints(cls: Any) -> dict[str, Any]:
-    """Resolved types of the fields of a dataclass."""
-    return get_type_hints(cls)
+# Resolved types of the fields of a dataclass, by name; worked out once per class.
+type_hints: Callable[[Any], dict[str, Any]] = functools.cache(get_type_hints)
 
 
 def spec_of(field: dataclasses.Field[Any]) -> Spec:
