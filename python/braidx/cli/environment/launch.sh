@@ -20,14 +20,19 @@ make_prefix() {
     fi
 }
 
+# mpirun takes no notice of a signal while it starts its processes: the signal is sent until $job has ended.
+end_job() {
+    while kill "$job" 2>/dev/null; do sleep 2; done
+}
+
 # Under mpirun: an interrupt ends all processes before one of them could tell how to go on.
 launch_ranks() {
     local job code=0 interrupted=''
     (trap - INT && exec "$@") <&0 &
     job=$!
     # A terminal interrupts mpirun, too, which takes a second to end its processes; others may interrupt this one only.
-    trap 'interrupted=yes; sleep 2; kill "$job" 2>/dev/null || true' INT
-    trap 'interrupted=yes; kill "$job" 2>/dev/null || true' TERM HUP
+    trap 'interrupted=yes; sleep 2; end_job' INT
+    trap 'interrupted=yes; end_job' TERM HUP
     while kill -0 "$job" 2>/dev/null; do
         code=0
         wait "$job" || code=$?
