@@ -30,7 +30,8 @@ def grouped(scene, groups):
         EndGroup(end="last", level=level, rigid=rigid, displacement=shift, rotation=turn)
         for level, rigid, shift, turn in GROUPS[groups]
     )
-    return replace(scene, ends=EndConditions(transverse="free", sections="fixed", groups=tables))
+    sections = "fixed" if scene.yarn.model == "beam" else "free"
+    return replace(scene, ends=EndConditions(transverse="free", sections=sections, groups=tables))
 
 
 def strand_model(model, friction, transverse="periodic", groups=None):
@@ -43,7 +44,7 @@ def strand_model(model, friction, transverse="periodic", groups=None):
         "strand.helix_radius=1.70",
         "rope.pitches=1",
         "yarn.elements_per_pitch=20",
-        "yarn.bundle_factor=0.1",
+        "material.filaments.bundle_factor=0.1",
     ]
     scene = load_scene(STRAND, overrides)
     scene = grouped(scene, groups) if groups else scene
