@@ -2,9 +2,9 @@
 
 Twisted by psi with no force along it, fibres at the distance rho are stretched by rho^2 psi^2 / 2, r^2 psi^2 / 4 in the
 mean, and the rod is shortened by as much. Shear draws the sections together, too, by which a rod of Poisson ratio nu
-gets longer: the mean strain of its fibres is 2 nu / (1 + nu) r^2 psi^2 / 4, so that (1 - nu) / (1 + nu) of the shortening
-is left. Bent by kappa, fibres of Saint-Venant's and Kirchhoff's law are softer where they are compressed: the axis is
-shortened by 3/2 I / A kappa^2. That of fibres whose force is linear in their stretch keeps its length.
+gets longer: the mean strain of its fibres is 2 nu / (1 + nu) r^2 psi^2 / 4. What is left of the shortening is the share
+(1 - nu) / (1 + nu). Bent by kappa, fibres of Saint-Venant's and Kirchhoff's law are softer where they are compressed:
+the axis is shortened by 3/2 I / A kappa^2. That of fibres whose force is linear in their stretch keeps its length.
 """
 
 import numpy as np
