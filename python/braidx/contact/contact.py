@@ -92,17 +92,13 @@ class Contact:
         return self.symmetrised or not any(self.laws.friction)
 
     def update(self, q: Floats) -> None:
-        """Makes contact elements anew at the unknowns q; memory is carried over, and turns with the pairs.
-
-        Without a start an increment starts here.
-        """
-        start = self.start if self.start.size else q
+        """Makes contact elements anew at the unknowns q; memory is carried over, and turns with the pairs."""
         self.elements = engine.make_contact_elements(
             self.surfaces,
             self.crossings,
             self.rigid,
             self._seen(q),
-            self._seen(start),
+            self._start(q),
             self.elements,
             self.pairing,
         )
@@ -241,7 +237,7 @@ class Contact:
 
     def add_residual(self, residual: Floats) -> None:
         """See Term."""
-        seen, start = self._seen(self._q), self._seen(self.start)
+        seen, start = self._seen(self._q), self._start(self._q)
         forces = np.zeros_like(seen) if self.beyond else residual
         engine.add_residual(
             self.surfaces, self.elements, seen, start, self.laws, forces, self.num_threads
@@ -266,7 +262,7 @@ class Contact:
             self.elements,
             self._pattern,
             self._seen(self._q),
-            self._seen(self.start),
+            self._start(self._q),
             self.laws,
             self.symmetric_tangent,
             values,
@@ -280,7 +276,11 @@ class Contact:
 
     def _at(self, q: Floats) -> tuple[Any, Any, Floats, Floats, Any]:
         """What the engine asks for to tell forces at q."""
-        return self.surfaces, self.elements, self._seen(q), self._seen(self.start), self.laws
+        return self.surfaces, self.elements, self._seen(q), self._start(q), self.laws
+
+    def _start(self, q: Floats) -> Floats:
+        """What slip counts from, in the numbers of contact: the start of the increment; without one, q."""
+        return self._seen(self.start if self.start.size else q)
 
     def _lay_out(self) -> None:
         """Finds the contact elements' places in the tangent, in a new pattern where the last one lacks some."""
