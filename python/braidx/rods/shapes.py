@@ -46,13 +46,22 @@ def ring(radius: float, num_spans: int, overlap: float = 0.0) -> Floats:
     return radius * np.stack([np.cos(angle), np.sin(angle), 0.0 * angle], axis=1)
 
 
-def helix(radius: float, pitch: float, length: float, num_spans: int, phase: float = 0.0) -> Floats:
+def helix(
+    radius: float, pitch: float, length: float, num_spans: int, phase: float = 0.0, degree: int = 1
+) -> Floats:
     """Nodes of a helix about the z axis, from z = 0 to `length`, shape (num_spans + 1, 3), mm.
 
     Args:
+        radius: That no point of the rod comes nearer to the axis than; nodes of elements of degree 2 lie a little
+            outside, so that a rod placed about a core does not penetrate it between its nodes.
         pitch: Height of a turn, negative for one to the left, mm.
         phase: Angle at z = 0, radians.
+        degree: Of the elements that the nodes are for.
     """
+    if degree == 2:
+        # With the angle h between nodes, the parabola through three of them comes as near as r sqrt(1 - c^2 / 4).
+        c = 1.0 - np.cos(2.0 * np.pi * length / (pitch * num_spans))
+        radius = radius / np.sqrt(1.0 - 0.25 * c**2)
     z = np.linspace(0.0, length, num_spans + 1)
     angle = phase + 2.0 * np.pi * z / pitch
     return np.stack([radius * np.cos(angle), radius * np.sin(angle), z], axis=1)
