@@ -91,7 +91,7 @@ TEST_CASE("a contact at the end of a period is as good as one in its middle", "[
             const Rods rods = meeting_at(kind, height);
             return total_weight(make_contact_elements({rods.tubes, {}, {}}, rods.q, {}, {}));
         };
-        // Beside a node: on the kink that curves of degree 2 have there, round-off chooses the side.
+        // Beside a node: on the kink that degree 2 has there, round-off chooses the side.
         const double weight = weight_at(0.13);
         CHECK(weight == Catch::Approx(weight_at(0.13 + period / 2)).epsilon(1e-6));
         CHECK(weight == Catch::Approx(weight_at(0.13 + period)).epsilon(1e-6));

@@ -162,8 +162,7 @@ TEST_CASE("the surface goes round an edge without a jump where it is off the nod
     }
 }
 
-TEST_CASE("points slide off a face without a jump, and no point counts beside it",
-          "[skin_pairing]") {
+TEST_CASE("points slide off a face without a jump, none counts beside it", "[skin_pairing]") {
     for (const auto kind : all_facets) {
         Rods rods;
         add_box(rods, kind, 2, {0, 0, -1}, {2, 2, 0});
@@ -182,13 +181,12 @@ TEST_CASE("points slide off a face without a jump, and no point counts beside it
             return area;
         };
         CHECK(std::abs(pressed_area(0) - 4) < 1e-12);
-        // The largest change in a step halves with the step: no jump is left. Half a facet will do.
+        // Changes halve with the step: no jump is left. Half a facet will do.
         double largest[2] = {0, 0};
         for (const int finer : {1, 2}) {
             const double step = 0.008 / finer;
-            double before = pressed_area(0);
-            for (int i = 1; i * step < 0.55; ++i) {
-                const double area = pressed_area(i * step);
+            for (double x = 0, before = pressed_area(0); x < 0.55; x += step) {
+                const double area = pressed_area(x + step);
                 largest[finer - 1] = std::max(largest[finer - 1], std::abs(area - before));
                 before = area;
             }

@@ -119,7 +119,16 @@ def test_no_contact_elements_survive_a_round_trip() -> None:
 def test_shapes_of_results(press: Press) -> None:
     n = len(press.elements)
     arrays = press.elements.arrays()
-    widths = {"tubes": 2, "s": 2, "facet": 2, "round": 2, "normal": 3, "slip": 3, "xi": 4, "wall": 6}
+    widths = {
+        "tubes": 2,
+        "s": 2,
+        "facet": 2,
+        "round": 2,
+        "normal": 3,
+        "slip": 3,
+        "xi": 4,
+        "wall": 6,
+    }
     for name, values in arrays.items():
         assert values.shape == ((n, widths[name]) if name in widths else (n,)), name
     results = engine.contact_results(press.tubes, press.elements, press.q, press.start, laws())
