@@ -40,7 +40,7 @@ def make_body(model: str, degree: int, comm: MPI.Comm = MPI.COMM_SELF) -> CurveB
         section=SECTIONS,
         material=MATERIALS,
         degree=degree,
-        bundle_factor=[0.05, 0.6],
+        bundle_factor=0.3 if model == "beam of one factor" else [0.05, 0.6],
         torsion_factor=0.3,
         natural_state="straight" if model == "straight beam" else "as placed",
         tension=[2.0, 3.0] if model in ("tense beam", "linear beam") else 0.0,

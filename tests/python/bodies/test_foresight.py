@@ -9,7 +9,8 @@ from example_bodies import cached_body, dense_tangent, random_state
 def test_tangent_leaves_out_the_stresses_of_the_square_of_the_step(degree: int) -> None:
     # The energy W is quadratic in strains e that are quadratic in the unknowns. A step d adds e''(d, d) / 2 to what it
     # foresaw; stresses of that change d K d by C e''(d, d) e''(d, d) / 2, a sixth of the fourth derivative of W.
-    body = cached_body("beam", degree)
+    # (Strains are quadratic where bundle and torsion factors agree: else curvature is divided by the stretch.)
+    body = cached_body("beam of one factor", degree)
     q = random_state(body, 0.05)
     step = random_state(body, 0.2) - body.rest
 
