@@ -1,11 +1,11 @@
 """A run of the small rope: what it finds, on how many processes, and what it leaves when it fails."""
 
 import re
-import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
+import started
 
 from braidx.output import snapshot
 from braidx.processes import state
@@ -73,7 +73,7 @@ def test_every_state_is_kept_where_asked_for(run, tmp_path):
     assert snapshot.load(kept[-1]).contacts is not None
 
 
-@pytest.mark.skipif(shutil.which("mpirun") is None, reason="needs mpirun")
+@started.needs_mpirun
 def test_two_processes_find_what_one_does(run, whole_run, tmp_path):
     parallel = run(tmp_path / "parallel", ranks=2)
     assert parallel.code == 0, parallel.stderr
