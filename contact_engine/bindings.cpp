@@ -3,6 +3,7 @@
 #include "bindings/checks.h"
 #include "bindings/crossings.h"
 #include "bindings/elements.h"
+#include "bindings/energy.h"
 #include "bindings/rigid.h"
 #include "pairing/pairing.h"
 
@@ -21,9 +22,6 @@ using namespace braidx;
 using namespace braidx::bindings;
 
 namespace {
-
-/// Other Python threads go on while the engine works on arrays and objects of its own.
-constexpr nb::call_guard<nb::gil_scoped_release> without_gil;
 
 auto pair_arrays(const std::vector<ElementPair>& pairs) {
     return make_array<std::int32_t>({pairs.size(), 4}, [&](std::int32_t* out) {
@@ -211,6 +209,7 @@ NB_MODULE(braidx_engine, m) {
         },
         "surfaces"_a, "elements"_a, "pattern"_a, "q"_a, "q_start"_a, "laws"_a, "symmetric"_a,
         "values"_a.noconvert(), "num_threads"_a = 1, without_gil);
+    bind_energy(m);
     m.def(
         "commit",
         [](const OwnedSurfaces& surfaces, ContactElements& elements, const In<double>& q,

@@ -9,6 +9,9 @@
 /// which is not.
 namespace braidx::bindings {
 
+/// Other Python threads go on while the engine works on arrays and objects of its own.
+inline constexpr nb::call_guard<nb::gil_scoped_release> without_gil;
+
 /// Whether the unknowns are those of the surfaces at least: bodies without contact may follow.
 inline void require_unknowns(const OwnedSurfaces& surfaces, const In<double>& q, const char* name) {
     require(q.ndim() == 1 && std::cmp_greater_equal(q.size(), surfaces.num_unknowns), name,

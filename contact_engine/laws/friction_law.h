@@ -19,6 +19,13 @@ struct FrictionLaw {
         return coefficient * slip / (slides(slip) ? slip.norm() : reversible_slip);
     }
 
+    /// Potential of `direction`, mm: quadratic up to the reversible slip, linear beyond.
+    double potential(const Vec3& slip) const {
+        const double norm = slip.norm();
+        return coefficient *
+               (slides(slip) ? norm - 0.5 * reversible_slip : 0.5 * norm * norm / reversible_slip);
+    }
+
     /// Derivative of `direction` with the slip; `plane` = I - N N^T.
     Mat3 direction_gradient(const Vec3& slip, const Mat3& plane) const {
         if (!slides(slip))

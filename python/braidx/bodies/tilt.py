@@ -71,9 +71,10 @@ class SectionTilt:
         self._directors = vectors[:, :2]
         self._tangent = (vectors[:, 3] - vectors[:, 2]) * self._slope[:, None]
 
-    def energy(self) -> float:
-        """Energy, mJ."""
-        return 0.5 * float(self._stiffness @ (self._tilt() ** 2).sum(axis=1))
+    def energy(self, own: FloatArray | None = None) -> float:
+        """See Term; of all nodes by default, mJ."""
+        stiffness = self._stiffness if own is None else self._stiffness * own[self._unknowns[:, 0]]
+        return 0.5 * float(stiffness @ (self._tilt() ** 2).sum(axis=1))
 
     def add_residual(self, residual: FloatArray) -> None:
         """See Term."""

@@ -11,6 +11,8 @@ import scipy.sparse as sp
 from mpi4py import MPI
 
 from ..system.terms import Floats, Ints
+from .deepest_pairs import deepest_pairs
+from .saved import own_pairs
 from .skins import SkinLayout, engine_skins
 from .tubes import TubeLayout, engine_tubes, no_crossings, nodes_beyond
 
@@ -33,6 +35,7 @@ class Contact:
         min_radius: Radius of the thinnest tube or skin, mm.
         symmetrised: Whether the tangent of friction is made symmetric.
         start: Unknowns at the start of the increment, shape (num_unknowns,).
+        lagged: Normal forces that the potential of friction has, N, shape (num_elements,); zero at first.
         reach: Elements that sections may move before the tangent needs a new pattern.
         num_threads: Threads that the engine uses; sums depend on it by round-off.
     """
@@ -72,6 +75,7 @@ class Contact:
         self.reach = 0.0
         self.pattern_version = 0
         self._pattern: Any = None
+        self.lagged: Floats
         self._rows: Ints
         self._cols: Ints
         self._lay_out()
@@ -141,8 +145,7 @@ class Contact:
             contact elements.
         """
         work, penetration = engine.commit(*self._at(q), self.num_threads)
-        # The slip of the increment is remembered now: forces at q stay what they are.
-        self.start = q
+        self.start = q  # the slip of the increment is remembered: forces at q stay what they are
         return (
             self.comm.allreduce(work),
             self.comm.allreduce(penetration, op=MPI.MAX),
@@ -189,18 +192,7 @@ class Contact:
 
     def restore_arrays(self, arrays: dict[str, np.ndarray]) -> None:
         """Takes contact elements with their memory from arrays; each process keeps the pairs that are its own."""
-        a, b = arrays["tubes"].astype(np.int64).T
-        no_facets = np.full(
-            (a.size, 2), -1, np.int32
-        )  # states saved before solids could touch know none
-        no_ends = np.zeros((a.size, 2))  # nor ends of rods
-        arrays = {"facet": no_facets, "round": no_ends, **arrays}
-        swapped = np.all(arrays["facet"] >= 0, axis=1) & (b < a)
-        first, second = np.where(swapped, (b, a), (a, b))
-        own = engine.is_own(self.pairing, first, np.where(second < 0, -1 - second, second))
-        self.restore(
-            engine.ContactElements.from_arrays({name: part[own] for name, part in arrays.items()})
-        )
+        self.restore(engine.ContactElements.from_arrays(own_pairs(arrays, self.pairing)))
 
     def arrays(self) -> dict[str, np.ndarray]:
         """Contact elements of all processes with their memory, the same on each."""
@@ -209,13 +201,7 @@ class Contact:
 
     def worst_pairs(self, count: int = 3) -> list[tuple[int, int]]:
         """Pairs of tubes with the deepest penetrations at the last state, deepest first."""
-        results = self.results(self._q)
-        mine = [
-            (float(results["gap"][i]), int(results["tubes"][i, 0]), int(results["tubes"][i, 1]))
-            for i in np.argsort(results["gap"])[: 20 * count]
-        ]
-        ranked = sorted(sum(self.comm.allgather(mine), []))
-        return list(dict.fromkeys((a, b) for gap, a, b in ranked if gap < 0))[:count]
+        return deepest_pairs(self.results(self._q), self.comm, count)
 
     def results(self, q: Floats) -> dict[str, np.ndarray]:
         """Results per contact element of this process: gap, normal_force, friction_force, position, normal...
@@ -234,6 +220,14 @@ class Contact:
     def set_state(self, q: Floats) -> None:
         """See Term."""
         self._q = q
+
+    def lag(self, q: Floats) -> None:
+        """The potential of friction takes the normal forces at q, until contact elements are made anew."""
+        self.lagged = engine.normal_forces(*self._at(q), self.num_threads)
+
+    def energy(self, own: Floats) -> float:
+        """See Term: exact without friction; with friction where normal forces are the `lagged`."""
+        return float(engine.contact_energy(*self._at(self._q), self.lagged, self.num_threads))
 
     def add_residual(self, residual: Floats) -> None:
         """See Term."""
@@ -284,6 +278,7 @@ class Contact:
 
     def _lay_out(self) -> None:
         """Finds the contact elements' places in the tangent, in a new pattern where the last one lacks some."""
+        self.lagged = np.zeros(len(self.elements))
         if self._pattern is not None and engine.place(
             self._pattern, self.surfaces, self.elements, self.num_threads
         ):

@@ -31,6 +31,10 @@ class CoupleTerm:
         """See Term."""
         self._directors = q[self._unknowns].reshape(-1, 2, 3)
 
+    def energy(self, own: Floats) -> float:
+        """See Term: couples in directions that stay have no potential."""
+        return float("nan") if self.couples.any() else 0.0
+
     def add_residual(self, residual: Floats) -> None:
         """See Term; the forces are given to one process only."""
         forces = np.cross(self._axis()[:, None], self._directors)

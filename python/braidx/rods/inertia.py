@@ -125,13 +125,20 @@ class InertiaTerm:
         self.velocity, self.acceleration = self.rates(q)
         self.forces = forces
 
+    def energy(self, own: Floats) -> float:
+        """See Term: of forces that are linear in the unknowns, counted from the begin of the step."""
+        mean = 0.5 * (self._forces(self._q) + self._forces(self._start))
+        return float((mean * (self._q - self._start))[self._mine].sum())
+
     def add_residual(self, residual: Floats) -> None:
         """See Term; the forces are given to one process only."""
-        s, mine = self.scheme, self._mine
-        _, acceleration = self.rates(self._q)
+        residual[self._mine] += self._forces(self._q)[self._mine]
+
+    def _forces(self, q: Floats) -> Floats:
+        s = self.scheme
+        _, acceleration = self.rates(q)
         mean = (1.0 - s.alpha_m) * acceleration + s.alpha_m * self.acceleration
-        whole = (self.mass * mean + s.alpha_f * self.forces) / (1.0 - s.alpha_f)
-        residual[mine] += whole[mine]
+        return np.asarray((self.mass * mean + s.alpha_f * self.forces) / (1.0 - s.alpha_f))
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""

@@ -95,6 +95,12 @@ class GlobalSystem:
             if isinstance(term, BodyTerm):
                 term.set_step(step)
 
+    def energy(self) -> float:
+        """Potential of all terms at the current state, mJ; NaN where a term has none (see Term)."""
+        own = np.where(self.constraints.copies > 0, 1.0, 0.0)
+        share = sum(term.energy(own) for term in self.terms)
+        return float(self.comm.allreduce(share))
+
     def residual(self) -> Floats:
         """Residual of all unknowns at the current state, shape (num_unknowns,), N; zero in equilibrium where free.
 

@@ -53,6 +53,13 @@ class ProximalTerm:
         """See Term."""
         self._q = q
 
+    def energy(self, own: Floats) -> float:
+        """See Term."""
+        each = self.viscosity * (self._q - self.start) ** 2
+        each += self.damping * (self._q - self.anchor) ** 2
+        turned = self._turns.work(self._q - self.start, own) if self._turns else 0.0
+        return 0.5 * (float((own * each)[self._mine].sum()) + turned)
+
     def add_residual(self, residual: Floats) -> None:
         """See Term; the forces are given to one process only."""
         forces = self.viscosity * (self._q - self.start) + self.damping * (self._q - self.anchor)

@@ -21,6 +21,14 @@ class Term(Protocol):
     def set_state(self, q: Floats) -> None:
         """Takes the current unknowns, shape (num_unknowns,), equal on all processes."""
 
+    def energy(self, own: Floats) -> float:
+        """This process's share of the potential whose gradient is the residual, mJ; NaN where the forces have none.
+
+        Args:
+            own: 1, or 0 for unknowns of images, whose energy does not count; shape (num_unknowns,).
+        """
+        ...
+
     def add_residual(self, residual: Floats) -> None:
         """Adds this process's share, shape (num_unknowns,)."""
 
@@ -82,6 +90,10 @@ class BodyTerm:
         """See GlobalSystem."""
         self.body.set_step(step[self.unknowns].reshape(-1, self.body.block))
 
+    def energy(self, own: Floats) -> float:
+        """See Term; images of a symmetric rope are equal parts of the body."""
+        return self.body.energy() * float(own[self.unknowns].mean())
+
     def add_residual(self, residual: Floats) -> None:
         """See Term."""
         residual[self.unknowns] += self.body.residual()
@@ -106,9 +118,15 @@ class LoadTerm:
         self.loads: Floats = np.zeros(num_unknowns)
         self._share = 1.0 if rank == 0 else 0.0
         self._none = np.empty(0, dtype=np.int64)
+        self._q: Floats = np.zeros(num_unknowns)
 
     def set_state(self, q: Floats) -> None:
-        """Dead loads do not follow the state."""
+        """See Term; dead loads do not follow the state, their energy does."""
+        self._q = q
+
+    def energy(self, own: Floats) -> float:
+        """See Term: minus the work of the loads on the way from zero unknowns."""
+        return -self._share * float(self.loads @ (own * self._q))
 
     def add_residual(self, residual: Floats) -> None:
         """See Term; the loads are given to one process only."""

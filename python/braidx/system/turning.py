@@ -43,9 +43,10 @@ class Turning:
         stiffness = self.viscosity * self._weight
         return np.concatenate([stiffness, stiffness, -stiffness, -stiffness])
 
-    def work(self, moved: Floats) -> float:
-        """Work that the moment takes on the way of a motion, mJ."""
-        return float(self.viscosity * self._weight @ self._difference(moved) ** 2)
+    def work(self, moved: Floats, counted: Floats | None = None) -> float:
+        """Work that the moment takes on the way of a motion, mJ; of unknowns that count 1, or of all."""
+        weight = self._weight if counted is None else self._weight * counted[self._first]
+        return float(self.viscosity * weight @ self._difference(moved) ** 2)
 
     def _difference(self, moved: Floats) -> Floats:
         return moved[self._second] - moved[self._first]

@@ -47,6 +47,31 @@ TEST_CASE("normal forces are the gradient of their energy", "[assemble]") {
     }
 }
 
+TEST_CASE("with the normal forces there, friction is the gradient of its potential", "[assemble]") {
+    unsigned seed = 30;
+    for (const auto& [kind_a, kind_b] : mixtures)
+        for (const double slide : {stick, slip}) {
+            INFO(kind_a.name << " and " << kind_b.name << ", motion " << slide);
+            const auto contact = random_contact(kind_a, kind_b, 0.3, slide, ++seed);
+            CHECK(num_sliding(contact) == (slide == slip ? contact.elements.size() : 0));
+            const Vector residual = contact.residual();
+            CHECK((residual - contact.finite_difference_gradient()).norm() <
+                  1e-6 * residual.norm());
+        }
+}
+
+TEST_CASE("the energy of contact is the same with any number of threads", "[assemble]") {
+    const auto contact = mixed_contacts();
+    const auto forces = normal_forces(contact.rods.surfaces(), contact.elements, contact.rods.q,
+                                      contact.start, contact.laws);
+    const auto energy = [&](int num_threads) {
+        return contact_energy(contact.rods.surfaces(), contact.elements, contact.rods.q,
+                              contact.start, contact.laws, forces, num_threads);
+    };
+    CHECK(energy(1) > 0);
+    CHECK(energy(3) == energy(1));
+}
+
 TEST_CASE("without friction both tangents are exact and symmetric", "[assemble]") {
     unsigned seed = 20;
     for (const auto& [kind_a, kind_b] : mixtures) {

@@ -38,6 +38,18 @@ TEST_CASE("friction is continuous where sliding starts", "[friction_law]") {
     CHECK((before - after).norm() < 1e-11);
 }
 
+TEST_CASE("friction is the gradient of its potential, sticking and sliding", "[friction_law]") {
+    Random random(3);
+    const double h = 1e-6 * reversible;
+    for (int i = 0; i < 40; ++i) {
+        const double size =
+            reversible * (i % 2 ? random.uniform(0.1, 0.9) : random.uniform(1.1, 5));
+        const Vec3 slip = random_slip(random, Vec3::UnitZ(), size), along = random.unit();
+        const double change = law.potential(slip + h * along) - law.potential(slip - h * along);
+        CHECK(std::abs(change / (2 * h) - law.direction(slip).dot(along)) < 1e-6 * mu);
+    }
+}
+
 TEST_CASE("gradient of friction in the tangent plane, sticking and sliding", "[friction_law]") {
     Random random(2);
     const double h = 1e-7;

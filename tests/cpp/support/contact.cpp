@@ -69,13 +69,8 @@ Matrix Contact::tangent(FrictionTangent tangent, int num_threads) const {
 }
 
 double Contact::energy(const std::vector<double>& q) const {
-    double out = 0;
-    for (const auto& e : elements) {
-        const NormalLaw law{e.stiffness * e.weight, laws.regularisation};
-        out += law.energy(reduced_gap(local_system(rods.surfaces(), e, q).gap,
-                                      local_system(rods.surfaces(), e, start).gap, laws.gap_step));
-    }
-    return out;
+    const auto lagged = normal_forces(rods.surfaces(), elements, rods.q, start, laws);
+    return contact_energy(rods.surfaces(), elements, q, start, laws, lagged);
 }
 
 Matrix Contact::finite_difference_tangent(double step) const {

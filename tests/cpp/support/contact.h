@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/assemble.h"
+#include "assembly/energy.h"
 #include "support/rods.h"
 
 namespace braidx::test {
@@ -19,7 +20,7 @@ struct Contact {
     Vector residual(const std::vector<double>& q, int num_threads = 1) const;
     Matrix tangent(FrictionTangent tangent, int num_threads = 1) const;
 
-    /// Energy of the normal forces.
+    /// Potential of the contact forces, with the normal forces at `rods.q` in friction.
     double energy(const std::vector<double>& q) const;
     Matrix finite_difference_tangent(double step = 1e-6) const;
     Vector finite_difference_gradient(double step = 1e-6) const;

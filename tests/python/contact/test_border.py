@@ -90,6 +90,10 @@ def forces(**changed: Any) -> None:
     engine.add_residual(surfaces=tubes_of(), **given | changed)
 
 
+def energy(lagged: Any) -> Any:
+    return engine.contact_energy(tubes_of(), found(), state(), state(), laws(), lagged)
+
+
 def tangent(values: Any, fresh: bool = False) -> None:
     q, elements = state(), found()
     pattern = engine.make_pattern(tubes_of(), engine.ContactElements() if fresh else elements)
@@ -133,6 +137,7 @@ SHAPES = {
     r"a tube of crossings is 2; a number from 0, below 2": lambda: found(
         crossings=crossings(tubes=np.array([[0, 2]], np.int32))
     ),
+    r"lagged is an array of shape \(0,\); one of \d+ forces": lambda: energy(np.empty(0)),
     r"degree is an array of shape \(3,\); \(2,\)": lambda: tubes_of(degree=np.ones(3, np.int32)),
     r"group is a list of 1; one of 2": lambda: tubes_of(group=[0]),
     r"degree\[1\] is 3; 1 or 2": lambda: tubes_of(degree=np.array([1, 3], np.int32)),

@@ -102,8 +102,8 @@ class ClampTerm:
         """See Term."""
         self._director = q[self._unknowns]
 
-    def energy(self) -> float:
-        """Energy, mJ."""
+    def energy(self, own: Floats | None = None) -> float:
+        """See Term, mJ; clamps are nobody's images."""
         return 0.25 * self._stiffness * float((self._excess() ** 2).sum())
 
     def add_residual(self, residual: Floats) -> None:
