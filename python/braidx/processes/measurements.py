@@ -11,37 +11,7 @@ from ..geometry import Rope
 from ..output.measures import linear_fit, outer_diameter, yarn_stress
 from ..output.snapshot import Snapshot
 from ..scene import Pull, Scene
-
-STATE_RESULTS = {
-    "rope_axial_stiffness": "kN",
-    "efficiency": "-",
-    "outer_diameter_formed": "mm",
-    "outer_diameter_loaded": "mm",
-    "max_penetration_over_radius": "-",
-    "wrong_side_crossings": "count",
-    "yarn_stress_mean": "MPa",
-    "yarn_stress_std": "MPa",
-    "yarn_stress_min": "MPa",
-    "yarn_stress_max": "MPa",
-    "friction_work": "mJ",
-    "stabilisation_work_share": "-",
-    "stabilisation_residual_share": "-",
-    "relative_displacement": "mm",
-    "relative_displacement_max": "mm",
-    "crossing_points": "count",
-    "yarn_sheave_force_max": "N",
-    "sheave_angle": "degrees",
-    "core_pressure_max": "MPa",
-    "von_mises_max": "MPa",
-    "end_force": "N",
-    "friction_work_per_cycle": "mJ",
-    "cable_share": "-",
-    "beam_share": "-",
-    "solid_share": "-",
-    "temperature_max": "degrees C",
-    "temperature_steady_max": "degrees C",
-    "heating_power": "W",
-}
+from ..scene.results import RESULT_UNITS
 
 # Of results of a whole run: which states they are of.
 OF_THE_RUN = {
@@ -56,7 +26,7 @@ OF_THE_RUN = {
 
 ON_THE_WAY = ("form", "settle", "bend", "straighten", "bend_cycles")  # steps whose end counts
 
-FIRST_PULL = tuple(n for n in STATE_RESULTS if n.startswith("yarn_stress") or n.endswith("_loaded"))
+FIRST_PULL = tuple(n for n in RESULT_UNITS if n.startswith("yarn_stress") or n.endswith("_loaded"))
 
 
 def state_results(picture: Snapshot, wrong: int, forming: bool) -> dict[str, float]:

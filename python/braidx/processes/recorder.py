@@ -18,9 +18,10 @@ from ..output.progress import Progress
 from ..output.snapshot import Snapshot
 from ..output.summary import PhaseCost, Summary, peak_memory_MB
 from ..scene import Scene, Step, followed
+from ..scene.results import RESULT_UNITS
 from . import state as checkpoint
 from .bending.aftermath import after_bending
-from .measurements import FIRST_PULL, OF_THE_RUN, STATE_RESULTS, final_results
+from .measurements import FIRST_PULL, OF_THE_RUN, final_results
 from .recorded import RecordedModel
 from .outcome import NotConverged, Outcome
 from .state import State
@@ -43,7 +44,7 @@ class Recorder:
         self.comm, self.scene, self.rope, self.folder = comm, scene, rope, folder
         self.first = comm.rank == 0
         self._results = (
-            {name: resumed.results[name] for name in STATE_RESULTS if name in resumed.results}
+            {name: resumed.results[name] for name in RESULT_UNITS if name in resumed.results}
             if resumed
             else {}
         )
@@ -171,7 +172,7 @@ class Recorder:
         summary.accuracy = None if kept is None else asdict(kept)
         rows = history.read(self.folder / "history.csv")
         values = {**self._results, **final_results(self.scene, self.rope, rows)}
-        for name, unit in STATE_RESULTS.items():
+        for name, unit in RESULT_UNITS.items():
             if name in values or name in self.scene.expected:
                 of = OF_THE_RUN.get(name) or self._states.get(name)
                 summary.set(name, values.get(name), unit, of)

@@ -20,6 +20,7 @@ from braidx.scene.numerics import (
 )
 from braidx.scene.pitch import resolved_pitch
 from braidx.scene.recipe import BraidRecipe, RopeRecipe, StrandRecipe
+from braidx.scene.results import check_expected
 from braidx.scene.rules import check_bending
 from braidx.scene.sheave import Sheave
 from braidx.scene.size import check_size
@@ -66,6 +67,7 @@ class Scene:
         check_size(self)
         check_bending(self)
         check_effects(self)
+        check_expected(self.expected)
 
     def _check_type(self) -> None:
         if self.rope.type == "braid" and self.braid is None:

@@ -77,7 +77,7 @@ def test_options_of_every_kind_survive(tmp_path):
         "solver.petsc.mat_mumps_icntl_14=80",
         "solver.petsc.ksp_type=preonly",
         'rope.name="a \\"quoted\\" \\\\ name"',
-        "expected.x.reference=1e-3",
+        "expected.efficiency.reference=1e-3",
     ]
     scene = load(tmp_path, MINIMAL, *options)
     assert scene.solver.petsc == {"mat_mumps_icntl_14": 80, "ksp_type": "preonly"}
@@ -113,6 +113,7 @@ def test_an_override_is_table_key_value(tmp_path, text):
         ("rope.type=braid", "braid: table missing"),
         ("steps=3", "table.key=value"),
         ("expected.x.tolerance=0.1", "expected.x.reference: missing"),
+        ("expected.eficiency.reference=1", "no such result; did you mean 'efficiency'?"),
         ("material.hmpe.density=1", "material.hmpe.density: unknown key"),
     ],
 )
