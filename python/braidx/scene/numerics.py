@@ -155,7 +155,7 @@ class OutputOptions(Table):
 
 @dataclass(frozen=True)
 class Expected(Table):
-    """An expected result, [expected.NAME]; a run compares its own with it, which has the same name in `summary.json`."""
+    """An expected result, [expected.NAME]; a run compares its own of that name with it."""
 
     table: ClassVar[str] = "expected"
 
