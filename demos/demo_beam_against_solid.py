@@ -17,7 +17,7 @@ from mpi4py import MPI
 
 from braidx.bodies import BeamBody, BeamSection, SolidBody, YarnMaterial
 from braidx.bodies.coupling import follow_section
-from braidx.bodies.frames import rotation_minimising_frames
+from braidx.geometry.frames import rotation_minimising_frames
 from braidx.meshing import round_section, sweep
 from braidx.output.figures.style import AMBER, BLUE, GREY, figure, panels, save
 from braidx.solver.newton import Newton, NewtonOptions

@@ -33,6 +33,83 @@ def identifier(path: Path) -> str:
     return str(path.relative_to(ROOT))
 
 
+def module_of(path: Path) -> str:
+    parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
+    return ".".join(parts).removesuffix(".__init__")
+
+
+MODULES = {module_of(path): path for path in python_files(PACKAGE)}
+
+
+def imports(path: Path) -> set[str]:
+    """Full names of the modules that a file imports, but not of those that only its type hints name."""
+    tree = ast.parse(path.read_text())
+    hints = {
+        id(inner)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test)
+        for inner in ast.walk(node)
+    }
+    names = set()
+    for node in ast.walk(tree):
+        if id(node) in hints:
+            continue
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            package = path.relative_to(PACKAGE.parent).parts[: -node.level] if node.level else ()
+            base = ".".join([*package, *([node.module] if node.module else [])])
+            full = {f"{base}.{alias.name}" for alias in node.names}
+            names |= {name if name in MODULES else base for name in full}
+    return names
+
+
+def rows() -> dict[str, set[str]]:
+    """Of the table of layers in docs/architecture.md: what each layer below python/braidx may import."""
+    text = (ROOT / "docs" / "architecture.md").read_text()
+    found = {}
+    for line in text.splitlines():
+        row = re.match(r"\| `python/braidx/(\S+)/` \|(.*?)\|", line)
+        if row:
+            found[row[1]] = {name.rstrip("/") for name in re.findall(r"`(.+?)`", row[2])}
+    found["processes/bending"] |= found["processes"]
+    return found
+
+
+def layer_of(module: str) -> str:
+    """Layer of a module of braidx, or the package that another one belongs to."""
+    first, *rest = module.split(".")
+    if first != "braidx" or not rest:
+        return first
+    return "processes/bending" if rest[:2] == ["processes", "bending"] else rest[0]
+
+
+@pytest.mark.parametrize("layer", rows())
+def test_a_layer_imports_what_the_table_allows(layer):
+    allowed = rows()[layer] | {layer, "compat", "braidx"} | set(sys.stdlib_module_names)
+    own = [path for name, path in MODULES.items() if layer_of(name) == layer]
+    assert own
+    forbidden = {
+        identifier(path): names
+        for path in own
+        if (names := {name for name in imports(path) if layer_of(name) not in allowed})
+    }
+    assert forbidden == {}
+
+
+def test_every_folder_has_a_row():
+    own = (path for path in PACKAGE.iterdir() if not path.is_symlink())
+    folders = {path.name for path in own if any(path.glob("*.py"))}
+    assert folders == {layer for layer in rows() if "/" not in layer}
+
+
+def test_no_module_imports_itself_in_a_circle():
+    graph = {name: imports(path) & MODULES.keys() - {name} for name, path in MODULES.items()}
+    while ends := {name for name, needs in graph.items() if not needs & graph.keys()}:
+        graph = {name: needs for name, needs in graph.items() if name not in ends}
+    assert graph == {}
+
+
 @pytest.mark.parametrize("path", python_files(ROOT / "forms"), ids=identifier)
 def test_forms_import_ufl_only(path):
     assert imported(path) <= {"ufl", "typing", "."}

@@ -13,11 +13,13 @@ from mpi4py import MPI
 
 from ..forms import beam
 from ..forms.materials import TransverselyIsotropic
-from .body import CurveBody, stack_lines
-from .frames import check_right_handed, rotation_minimising_frames
+from ..geometry.frames import check_right_handed, rotation_minimising_frames
+from ..geometry.lines import stack_lines
+from ..meshing.beam_section import BeamSection
+from .body import CurveBody
 from .layout import FloatArray
 from .mesh import ElementField
-from .section import BeamSection, YarnMaterial
+from .yarn_material import YarnMaterial
 
 NaturalState = Literal["as placed", "straight"]
 PerCurve = TypeVar("PerCurve", BeamSection, YarnMaterial)

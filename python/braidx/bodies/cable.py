@@ -9,7 +9,8 @@ import numpy.typing as npt
 from mpi4py import MPI
 
 from ..forms import cable
-from .body import CurveBody, stack_lines
+from ..geometry.lines import stack_lines
+from .body import CurveBody
 from .layout import FloatArray
 from .mesh import ElementField
 

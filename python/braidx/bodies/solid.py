@@ -22,7 +22,7 @@ from .assembled import AssembledBody
 from .assembly import Assembler, compile_form
 from .layout import FloatArray, IntArray
 from .mesh import ElementField
-from .section import YarnMaterial
+from .yarn_material import YarnMaterial
 from .solid_domain import create_solid_domain
 
 Law = Literal["transversely isotropic", "Saint-Venant-Kirchhoff", "neo-Hooke"]

@@ -12,7 +12,7 @@ import typer
 
 from braidx import __version__
 from braidx.cli.accuracy import tell_accuracy, with_accuracy
-from braidx.cli.environment import make_console, rank
+from braidx.output.console import make_console, rank
 from braidx.cli.errors import (
     BAD_INPUT,
     INTERRUPTED,

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 
 import typer
 
-from braidx.cli.environment import rank
+from braidx.output.console import rank
 from braidx.scene import SceneError
 
 MISSED = 1  # a result is not as expected, where --strict asks for that

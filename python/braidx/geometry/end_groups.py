@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import NDArray
 
+from braidx.geometry.start_configuration import Rope
 from braidx.scene.ends import AXES, EndConditions, EndGroup
 from braidx.scene.errors import SceneError
 from braidx.scene.scene import Scene
 from braidx.scene.steps import Form, Hold, Settle
-
-if TYPE_CHECKING:
-    from braidx.geometry.rope import Rope
 
 Integers = NDArray[np.int64]
 NEAR = 1e-6  # of a yarn radius, and of 1: what counts as zero

@@ -2,17 +2,37 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import Protocol
 
 import numpy as np
 
-from .reference import SOLID_CELLS, FloatArray
-
-if TYPE_CHECKING:
-    from .solid_mesh import SolidMesh, Sweep
+from .reference import SOLID_CELLS, FloatArray, IntArray, ReferenceCell
+from .swept import Sweep
 
 
-def check_shapes(mesh: SolidMesh) -> None:
+class Mesh(Protocol):
+    """What checks ask of a mesh, see SolidMesh."""
+
+    @property
+    def points(self) -> FloatArray: ...
+    @property
+    def cells(self) -> IntArray: ...
+    @property
+    def cell_part(self) -> IntArray: ...
+    @property
+    def fibre(self) -> FloatArray: ...
+    @property
+    def facets(self) -> Mapping[str, IntArray]: ...
+    @property
+    def sweeps(self) -> Mapping[int, Sweep]: ...
+    @property
+    def cell(self) -> ReferenceCell: ...
+    @property
+    def num_cells(self) -> int: ...
+
+
+def check_shapes(mesh: Mesh) -> None:
     """Raises ValueError if arrays of the mesh do not fit together."""
     if mesh.cells.ndim != 2 or mesh.cells.shape[1] not in SOLID_CELLS or not len(mesh.cells):
         raise ValueError(
@@ -33,7 +53,7 @@ def check_shapes(mesh: SolidMesh) -> None:
         raise ValueError("fibre has rows whose length is not 1: give unit vectors")
 
 
-def check_nodes(mesh: SolidMesh) -> None:
+def check_nodes(mesh: Mesh) -> None:
     """Raises ValueError if a cell names a node that is not there, or a node belongs to no cell."""
     if mesh.cells.min() < 0 or mesh.cells.max() >= len(mesh.points):
         raise ValueError(
@@ -49,7 +69,7 @@ def check_nodes(mesh: SolidMesh) -> None:
         )
 
 
-def scaled_jacobians(mesh: SolidMesh) -> FloatArray:
+def scaled_jacobians(mesh: Mesh) -> FloatArray:
     """Smallest scaled Jacobian of each cell at its nodes, shape (num_cells,): 1 is a cube, <= 0 inside out."""
     gradient = mesh.cell.gradient(mesh.cell.points)
     axes = np.einsum("pdn,cni->cpdi", gradient, mesh.points[mesh.cells])
@@ -57,7 +77,7 @@ def scaled_jacobians(mesh: SolidMesh) -> FloatArray:
     return np.asarray((np.linalg.det(axes) / np.maximum(lengths, 1e-300)).min(axis=1))
 
 
-def check_facets(mesh: SolidMesh) -> None:
+def check_facets(mesh: Mesh) -> None:
     """Raises ValueError if a surface names facets that are not there, or a cell is inside out."""
     limit = np.array([mesh.num_cells, len(mesh.cell.facets)])
     for tag, pairs in mesh.facets.items():

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .read import Cells, Fibre, assemble, node_order, one_kind
+from .cells import Cells, Fibre, assemble, node_order, one_kind
 from .reference import SOLID_CELLS, FloatArray, IntArray
 from .solid_mesh import SolidMesh
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..bodies.section import BeamSection
+from .beam_section import BeamSection
 from .reference import QUAD_EDGES, QUADS, FloatArray, IntArray, ReferenceCell
 
 SMOOTH = 50.0  # degrees between facets up to which contact takes them for one smooth surface

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..bodies.body import stack_lines
-from ..bodies.frames import check_right_handed, rotation_minimising_frames
+from ..geometry.frames import check_right_handed, rotation_minimising_frames
+from ..geometry.lines import stack_lines
 from .reference import HEXAHEDRA, FloatArray, IntArray, ReferenceCell
 from .section import SectionMesh
 from .solid_mesh import SolidMesh, Sweep

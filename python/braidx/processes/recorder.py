@@ -9,9 +9,9 @@ from typing import Any
 
 from mpi4py import MPI
 
-from ..cli.environment import blas_warning, make_console
 from ..geometry import Rope
 from ..output import figures, history, paraview, snapshot
+from ..output.console import make_console
 from ..output.history import History, HistoryRow
 from ..output.log import LOGGER, close_log, open_log
 from ..output.progress import Progress
@@ -19,6 +19,7 @@ from ..output.snapshot import Snapshot
 from ..output.summary import PhaseCost, Summary, peak_memory_MB
 from ..scene import Scene, Step, followed
 from ..scene.results import RESULT_UNITS
+from ..solver.blas import blas_warning
 from . import state as checkpoint
 from .bending.aftermath import after_bending
 from .measurements import FIRST_PULL, OF_THE_RUN, final_results

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..bodies.frames import nodal_tangents, rotation_minimising_frames
+from ..geometry.frames import nodal_tangents, rotation_minimising_frames
 from ..system.constraints import Constraints
 from ..system.terms import Floats, Ints
 from .rod import Rod

@@ -13,7 +13,7 @@ import numpy as np
 from mpi4py import MPI
 
 from ..bodies import CurveBody, SolidBody
-from ..bodies.frames import check_right_handed
+from ..geometry.frames import check_right_handed
 from ..contact.skins import SkinLayout
 from ..contact.tubes import TubeLayout
 from ..system.terms import Floats, Ints

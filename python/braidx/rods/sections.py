@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..bodies.frames import rotation_minimising_frames
+from ..geometry.frames import rotation_minimising_frames
 from ..system.constraints import Constraints
 from ..system.terms import Floats, Ints
 from .closed import ring_directors

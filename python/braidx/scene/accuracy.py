@@ -6,15 +6,13 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from braidx.scene.bending import Bend, BendCycles, Straighten
 from braidx.scene.defaults import crossings, is_bundled, most_elements
 from braidx.scene.errors import SceneError
+from braidx.scene.scene import Scene
 from braidx.scene.steps import Cycle, Pull
-
-if TYPE_CHECKING:
-    from braidx.scene.scene import Scene
 
 LEVELS = ("5%", "1%", "0.1%")
 

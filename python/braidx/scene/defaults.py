@@ -7,14 +7,11 @@ in docs/accuracy.md.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from braidx.scene.bending import Bend
 from braidx.scene.material import YarnModel
 from braidx.scene.numerics import ContactOptions
-
-if TYPE_CHECKING:
-    from braidx.scene.scene import Scene
+from braidx.scene.tables import SceneTables
 
 STRAIGHT, CURVED = 1, 2  # degrees of elements
 ELEMENTS = 40  # straight ones per pitch
@@ -26,17 +23,17 @@ DEPTH, BENT_DEPTH = 0.015, 0.005  # penetrations allowed, over the radius
 SPANS = 6  # between nodes, from crossing to crossing, that yarns are kept apart to the smaller depth with
 
 
-def crossings(scene: Scene) -> int:
+def crossings(scene: SceneTables) -> int:
     """Crossings of a strand in a pitch; of a rope without a braid, eighths of its pitch stand for them."""
     return EIGHTHS if scene.braid is None else sum(scene.braid.strands_per_direction)
 
 
-def most_elements(scene: Scene, degree: int, apart: float = APART) -> int:
+def most_elements(scene: SceneTables, degree: int, apart: float = APART) -> int:
     """Elements per pitch that leave so many radii between nodes."""
     return max(4, int(scene.rope.pitch / (apart * scene.yarn.radius * degree)))
 
 
-def is_bundled(scene: Scene) -> bool:
+def is_bundled(scene: SceneTables) -> bool:
     """Whether yarns are braided in strands of several, which lie along each other and are pressed together.
 
     Kinks between curved elements seem to hold the forming of such ropes up: 36 yarns took 15 times as long, 84 found no
@@ -45,7 +42,7 @@ def is_bundled(scene: Scene) -> bool:
     return scene.braid is not None and sum(scene.strand.rings) > 1
 
 
-def with_mesh(scene: Scene) -> YarnModel:
+def with_mesh(scene: SceneTables) -> YarnModel:
     """The scene's yarns, divided.
 
     Curved elements are better for cables that are not bundled, in stiffness and in what presses on them; beams that
@@ -66,7 +63,7 @@ def with_mesh(scene: Scene) -> YarnModel:
     return replace(yarn, degree=degree, elements_per_pitch=elements)
 
 
-def with_depth(scene: Scene) -> ContactOptions:
+def with_depth(scene: SceneTables) -> ContactOptions:
     """The scene's contact, penetrations bounded; the mesh of its yarns has to be known.
 
     Ropes that are bent need to be kept apart better than those that are pulled, and can be where elements are fine:

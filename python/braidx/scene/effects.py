@@ -9,15 +9,13 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from braidx.scene.bending import Bend, BendCycles, Straighten
 from braidx.scene.errors import SceneError
 from braidx.scene.fields import Table, spec_of
 from braidx.scene.steps import Cycle, Form, Hold, Pull, Settle
-
-if TYPE_CHECKING:
-    from braidx.scene.scene import Scene
+from braidx.scene.tables import SceneTables
 
 STRAIGHT = (Settle, Pull, Hold, Cycle)  # steps that know the yarns of a straight rope only
 SOLID = (
@@ -41,41 +39,41 @@ class Need:
         only: Where the option has an effect, for the reference.
     """
 
-    holds: Callable[[Scene], bool]
+    holds: Callable[[SceneTables], bool]
     lacks: str
     only: str
 
 
-def has_step(scene: Scene, *kinds: type) -> bool:
+def has_step(scene: SceneTables, *kinds: type) -> bool:
     """Whether a scene has a step of one of these kinds."""
     return any(isinstance(step, kinds) for step in scene.steps)
 
 
-def bends(scene: Scene) -> bool:
+def bends(scene: SceneTables) -> bool:
     """Whether the rope is bent over its sheave."""
     return has_step(scene, Bend)
 
 
-def yarn_models(scene: Scene) -> set[str]:
+def yarn_models(scene: SceneTables) -> set[str]:
     """Models of yarns or of stretches of them; "auto" stands for any."""
     named = {scene.yarn.model, *scene.yarn.models.values()}
     return named | ({scene.yarn.outer_model, "solid"} if "mixed" in named else set())
 
 
-def _placed_beams(scene: Scene) -> bool:
+def _placed_beams(scene: SceneTables) -> bool:
     formed = any(isinstance(step, Form) and step.model == "beam" for step in scene.steps)
     return formed or (scene.yarn.model == "beam" and not bends(scene))
 
 
-def _beams(scene: Scene) -> bool:
+def _beams(scene: SceneTables) -> bool:
     return _placed_beams(scene) or not yarn_models(scene).isdisjoint({"beam", "auto"})
 
 
-def _solids(scene: Scene) -> bool:
+def _solids(scene: SceneTables) -> bool:
     return not yarn_models(scene).isdisjoint({"solid", "auto"})
 
 
-def _rubs(scene: Scene) -> bool:
+def _rubs(scene: SceneTables) -> bool:
     pairs = [scene.contact.friction_of("yarn-yarn")]
     pairs += [scene.contact.friction_of("yarn-core")] if scene.core else []
     pairs += [scene.contact.friction_of("yarn-sheave")] if scene.sheave else []
@@ -83,22 +81,22 @@ def _rubs(scene: Scene) -> bool:
     return any(pairs)
 
 
-def _core(scene: Scene, *models: str) -> bool:
+def _core(scene: SceneTables, *models: str) -> bool:
     return scene.core is not None and bends(scene) and scene.core.model in models
 
 
-def _swept_core(scene: Scene) -> bool:
+def _swept_core(scene: SceneTables) -> bool:
     return _core(scene, "solid") and scene.core is not None and not scene.core.mesh
 
 
-def _returns(scene: Scene) -> bool:
+def _returns(scene: SceneTables) -> bool:
     """Whether the rope is bent, straightened and bent again."""
     kinds = [type(step) for step in scene.steps if isinstance(step, (Bend, Straighten))]
     cycle = any(kinds[i : i + 3] == [Bend, Straighten, Bend] for i in range(len(kinds)))
     return has_step(scene, BendCycles) or cycle
 
 
-def _forms(scene: Scene) -> bool:
+def _forms(scene: SceneTables) -> bool:
     return has_step(scene, Form)
 
 
@@ -217,7 +215,7 @@ NEEDS = {
 }
 
 
-def check_effects(scene: Scene) -> None:
+def check_effects(scene: SceneTables) -> None:
     """Raises NoEffect for the first value that changes nothing.
 
     A scene without steps is a rope that is only looked at: what it will be computed with is open.
@@ -237,7 +235,7 @@ def check_effects(scene: Scene) -> None:
             raise NoEffect(f"{name}.{field.name}", cure, value)
 
 
-def _check_tables(scene: Scene) -> None:
+def _check_tables(scene: SceneTables) -> None:
     for name, table, need in (("sheave", scene.sheave, "bent"), ("heat", scene.heat, "cycles")):
         if table is not None and not NEEDS[need].holds(scene):
             raise NoEffect(name, f"has no effect: {NEEDS[need].lacks}; or remove [{name}].")
@@ -247,7 +245,7 @@ def _check_tables(scene: Scene) -> None:
             raise NoEffect(f"material.{name}", cure)
 
 
-def _tables(scene: Scene) -> Iterator[tuple[str, Table]]:
+def _tables(scene: SceneTables) -> Iterator[tuple[str, Table]]:
     for field in dataclasses.fields(scene):
         table = getattr(scene, field.name)
         if isinstance(table, Table):
@@ -256,7 +254,7 @@ def _tables(scene: Scene) -> Iterator[tuple[str, Table]]:
         yield f"steps[{i}]", step
 
 
-def _material_of(scene: Scene) -> dict[str, Any]:
+def _material_of(scene: SceneTables) -> dict[str, Any]:
     """What the yarn's material says: of a material some models do not know all."""
     material = scene.material.get(scene.yarn.material)
     return {} if material is None else vars(material)

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from braidx.scene.bending import Bend, BendCycles, Straighten
 from braidx.scene.effects import SOLID, STRAIGHT
 from braidx.scene.errors import SceneError
 from braidx.scene.steps import Form
-
-if TYPE_CHECKING:
-    from braidx.scene.scene import Scene
+from braidx.scene.tables import SceneTables
 
 
-def check_bending(scene: Scene) -> None:
+def check_bending(scene: SceneTables) -> None:
     """Raises SceneError, with the cure, where tables and steps do not go together."""
     _check_braid(scene)
     _check_steps(scene)
@@ -23,14 +20,14 @@ def check_bending(scene: Scene) -> None:
     _check_friction(scene)
 
 
-def _check_braid(scene: Scene) -> None:
+def _check_braid(scene: SceneTables) -> None:
     for name, table in (("sheave", scene.sheave), ("core", scene.core)):
         if table is not None and scene.braid is None:
             cure = f"a rope without a braid has no {name}; add [braid] or remove [{name}]."
             raise SceneError(name, cure)
 
 
-def _check_steps(scene: Scene) -> None:
+def _check_steps(scene: SceneTables) -> None:
     bent = False
     for i, step in enumerate(scene.steps):
         if isinstance(step, Bend):
@@ -46,7 +43,7 @@ def _check_steps(scene: Scene) -> None:
             raise SceneError(f"steps[{i}].kind", cure, step.kind)
 
 
-def _check_bend(scene: Scene, step: Bend, i: int) -> None:
+def _check_bend(scene: SceneTables, step: Bend, i: int) -> None:
     if scene.sheave is None:
         cure = "a rope is bent over a sheave; add a table [sheave] with its diameter."
         raise SceneError(f"steps[{i}].kind", cure, step.kind)
@@ -61,7 +58,7 @@ def _check_bend(scene: Scene, step: Bend, i: int) -> None:
         raise SceneError(f"steps[{i}].travel", cure, step.travel)
 
 
-def _check_straight(scene: Scene, kind: str, i: int) -> None:
+def _check_straight(scene: SceneTables, kind: str, i: int) -> None:
     if scene.sheave is not None:
         table, instead = "[sheave]", "use steps form, bend, straighten and bend_cycles"
     elif scene.core is not None and scene.core.model != "rigid":
@@ -72,7 +69,7 @@ def _check_straight(scene: Scene, kind: str, i: int) -> None:
     raise SceneError(f"steps[{i}].kind", cure, kind)
 
 
-def _check_models(scene: Scene) -> None:
+def _check_models(scene: SceneTables) -> None:
     named = {f"yarn.models.{number}": model for number, model in scene.yarn.models.items()}
     bends = any(isinstance(step, Bend) for step in scene.steps)
     for key, model in {"yarn.model": scene.yarn.model, **named}.items():
@@ -83,7 +80,7 @@ def _check_models(scene: Scene) -> None:
             _check_stretch(scene, key)
 
 
-def _check_stretch(scene: Scene, key: str) -> None:
+def _check_stretch(scene: SceneTables, key: str) -> None:
     stretch = scene.yarn.solid_stretch
     if stretch is None:
         cure = "needs yarn.solid_stretch, in mm: the length about the crown that is solid."
@@ -93,13 +90,13 @@ def _check_stretch(scene: Scene, key: str) -> None:
         raise SceneError("yarn.solid_stretch", cure, stretch)
 
 
-def _check_mesh(scene: Scene) -> None:
+def _check_mesh(scene: SceneTables) -> None:
     if scene.core is not None and scene.core.mesh and not Path(scene.core.mesh).is_file():
         cure = "no such file; give the path of a mesh, or leave it out for a cylinder."
         raise SceneError("core.mesh", cure, scene.core.mesh)
 
 
-def _check_friction(scene: Scene) -> None:
+def _check_friction(scene: SceneTables) -> None:
     """Pairs of bodies that the rope does not have."""
     for name, table in (("core", scene.core), ("sheave", scene.sheave)):
         pair = f"yarn-{name}"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from example_bodies import helix
 
-from braidx.bodies.frames import nodal_tangents, rotation_minimising_frames
+from braidx.geometry.frames import nodal_tangents, rotation_minimising_frames
 
 
 def test_frames_are_orthonormal_and_right_handed():

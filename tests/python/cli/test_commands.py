@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import pytest
 
 import braidx as package
-from braidx.cli.environment import make_console
+from braidx.output.console import make_console
 from braidx.scene import load_scene
 from braidx.scene.reference import json_schema, markdown
 

@@ -9,7 +9,7 @@ from mpi4py import MPI
 from scipy.interpolate import CubicSpline
 
 from ...bodies import BeamBody, CableBody, CurveBody
-from ...bodies.frames import rotation_minimising_frames
+from ...geometry.frames import rotation_minimising_frames
 from ...bodies.solid import SolidBody
 from ...scene import Scene
 from ...system.constraints import Floats

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from ...bodies.frames import nodal_tangents
+from ...geometry.frames import nodal_tangents
 from ...output.bending_measures import nominal_pressure
 from ...output.contact_table import KINDS
 from ...output.snapshot import Snapshot

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from braidx.cli.environment import blas_libraries, blas_warning
+from braidx.solver.blas import blas_libraries, blas_warning
 
 REFERENCE = "/usr/lib/x86_64-linux-gnu/blas/libblas.so.3.12.1"
 DEBIAN_OPENBLAS = "/usr/lib/x86_64-linux-gnu/openblas-pthread/libblas.so.3"

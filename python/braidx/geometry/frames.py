@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from .layout import FloatArray
+FloatArray = NDArray[np.float64]
 
 
 def nodal_tangents(line: FloatArray) -> FloatArray:
