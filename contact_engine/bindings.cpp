@@ -6,6 +6,8 @@
 #include "bindings/energy.h"
 #include "bindings/rigid.h"
 #include "pairing/pairing.h"
+#include "pairing/rules.h"
+#include "search/max_step.h"
 
 #include <algorithm>
 #include <nanobind/stl/optional.h>
@@ -252,6 +254,20 @@ NB_MODULE(braidx_engine, m) {
             return std::pair(sums.rigid, sums.all);
         },
         "surfaces"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "num_threads"_a = 1, without_gil);
+    m.def(
+        "max_step",
+        [](const OwnedSurfaces& surfaces, const In<double>& q, const In<double>& dq,
+           const PairingOptions& options) {
+            require_unknowns(surfaces, q, "q");
+            require_shape(dq, "dq", shape_of(q));
+            require_options(surfaces, {}, options);
+            const auto may_meet = [&](std::int32_t a, std::int32_t b) {
+                return may_touch(options, surfaces, a, b);
+            };
+            return max_step(surfaces.tubes, view(q), view(dq), options.search, may_meet,
+                            options.num_threads);
+        },
+        "surfaces"_a, "q"_a, "dq"_a, "options"_a, without_gil);
     m.def("freeze_sections", &freeze_sections, "elements"_a);
     m.def(
         "sum_log_stiffness",

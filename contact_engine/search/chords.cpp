@@ -42,6 +42,13 @@ void add_chords(std::vector<Chord>& out, const Tube& tube, std::int32_t number, 
 
 } // namespace
 
+bool are_neighbours(const std::vector<Tube>& tubes, const Chord& a, const Chord& b,
+                    double self_exclusion) {
+    const Tube& tube = tubes[static_cast<std::size_t>(a.tube)];
+    return a.tube == b.tube && (tube.apart(a.element, b.element) - 1) * tube.element_length <
+                                   self_exclusion * tube.radius;
+}
+
 std::vector<Chord> chords_of(const std::vector<Tube>& tubes, Unknowns q) {
     std::vector<Chord> out;
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(tubes.size()); ++t)

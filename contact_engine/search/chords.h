@@ -14,6 +14,11 @@ struct Chord {
     double sagitta; ///< no point of the stretch is farther than this from the chord, mm
 };
 
+/// Whether two chords are on one tube, nearer along it than `self_exclusion` radii: they are no
+/// pair.
+bool are_neighbours(const std::vector<Tube>& tubes, const Chord& a, const Chord& b,
+                    double self_exclusion);
+
 /// Chords of all elements: as many for an element as its bend and its length ask for.
 std::vector<Chord> chords_of(const std::vector<Tube>& tubes, Unknowns q);
 

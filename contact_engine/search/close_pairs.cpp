@@ -15,11 +15,6 @@
 namespace braidx {
 namespace {
 
-bool neighbours(const Tube& tube, const Chord& a, const Chord& b, double self_exclusion) {
-    const double apart = (tube.apart(a.element, b.element) - 1) * tube.element_length;
-    return apart < self_exclusion * tube.radius;
-}
-
 /// Finds the pairs of one chord with those that come after it.
 class Search {
 public:
@@ -39,7 +34,7 @@ public:
         out.cost.boxes = tree_.for_each_meeting(box(a), [&](std::int32_t j) {
             const Chord& b = chords_[static_cast<std::size_t>(j)];
             if (static_cast<std::size_t>(j) <= i ||
-                (a.tube == b.tube && neighbours(tubes_[a.tube], a, b, options_.self_exclusion)))
+                are_neighbours(tubes_, a, b, options_.self_exclusion))
                 return;
             ++out.cost.chords;
             if (const auto pair = test(a, b))

@@ -179,6 +179,11 @@ class Contact:
         deepest = engine.deepest_penetration(self.surfaces, self.elements, seen, self.num_threads)
         return self.comm.allreduce(deepest, op=MPI.MAX)
 
+    def max_step(self, q: Floats, step: Floats) -> float:
+        """Largest share of a step of the unknowns, at most 1, up to which no two centre lines pass through each other."""
+        moved = self.beyond.see(step) if self.beyond else step
+        return float(engine.max_step(self.surfaces, self._seen(q), moved, self.pairing))
+
     def rigid_share(self, q: Floats) -> float:
         """Of all normal forces of all processes, the share that acts on rigid surfaces."""
         sums = engine.sum_normal_forces(*self._at(q), self.num_threads)

@@ -107,3 +107,13 @@ def test_new_contact_elements_change_forces_and_energy_continuously(angle, block
         # Measured: at most 1.2 of the way over the radius in forces, 1.5 in the energy, at 60 degrees.
         assert np.linalg.norm(after[0] - before[0]) < 1.5 * way * np.linalg.norm(before[0])
         assert abs(after[1] - before[1]) < 2.0 * way * before[1]
+
+
+def test_a_step_ends_before_centre_lines_pass_through_each_other():
+    contact, q = contact_at(60, 3)
+    step = np.zeros((2, NODES, 3))
+    step[1, :, 0] = -20.0 * RADIUS
+    share = contact.max_step(q, step.ravel())
+    apart = (q.reshape(2, NODES, 3)[1, NODES // 2] - q.reshape(2, NODES, 3)[0, NODES // 2])[0]
+    assert 0.85 * apart < 20.0 * share < 1.05 * apart
+    assert contact.max_step(q, -step.ravel()) == 1.0
