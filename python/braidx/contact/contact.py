@@ -180,7 +180,7 @@ class Contact:
         return self.comm.allreduce(deepest, op=MPI.MAX)
 
     def max_step(self, q: Floats, step: Floats) -> float:
-        """Largest share of a step of the unknowns, at most 1, up to which no two centre lines pass through each other."""
+        """Largest share of a step, at most 1, up to which no two centre lines pass through each other."""
         moved = self.beyond.see(step) if self.beyond else step
         return float(engine.max_step(self.surfaces, self._seen(q), moved, self.pairing))
 
