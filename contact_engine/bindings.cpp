@@ -236,6 +236,14 @@ NB_MODULE(braidx_engine, m) {
         "surfaces"_a, "elements"_a, "q"_a, "tolerance"_a, "growth"_a, "elsewhere"_a = 0.0,
         "num_threads"_a = 1, "held"_a = nb::none(), without_gil);
     m.def(
+        "update_multipliers",
+        [](const OwnedSurfaces& surfaces, ContactElements& elements, const In<double>& q,
+           const In<double>& q_start, const ContactLaws& laws, int num_threads) {
+            require_state(surfaces, elements, q, q_start, laws);
+            update_multipliers(surfaces, elements, view(q), view(q_start), laws, num_threads);
+        },
+        "surfaces"_a, "elements"_a, "q"_a, "q_start"_a, "laws"_a, "num_threads"_a = 1, without_gil);
+    m.def(
         "deepest_penetration",
         [](const OwnedSurfaces& surfaces, const ContactElements& elements, const In<double>& q,
            int num_threads) {

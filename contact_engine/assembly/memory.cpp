@@ -1,6 +1,7 @@
 #include "memory.h"
 
 #include "../parallel.h"
+#include "energy.h"
 
 #include <algorithm>
 #include <array>
@@ -102,6 +103,13 @@ int adapt_stiffness(const DeformableSurfaces& surfaces, ContactElements& element
     return count(soon * tolerance);
 }
 
+void update_multipliers(const DeformableSurfaces& surfaces, ContactElements& elements, Unknowns q,
+                        Unknowns q_start, const ContactLaws& laws, int num_threads) {
+    const auto forces = normal_forces(surfaces, elements, q, q_start, laws, num_threads);
+    for (std::size_t e = 0; e < elements.size(); ++e)
+        elements[e].multiplier = forces[e] / elements[e].weight;
+}
+
 double deepest_penetration(const DeformableSurfaces& surfaces, const ContactElements& elements,
                            Unknowns q, int num_threads) {
     double deepest = 0;
@@ -136,8 +144,10 @@ LogStiffness sum_log_stiffness(const ContactElements& elements, bool per_area) {
 }
 
 void scale_stiffness(ContactElements& elements, double factor) {
-    for (auto& e : elements)
+    for (auto& e : elements) {
         e.stiffness *= factor;
+        e.multiplier *= factor;
+    }
 }
 
 } // namespace braidx

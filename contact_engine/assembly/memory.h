@@ -23,6 +23,11 @@ int adapt_stiffness(const DeformableSurfaces& surfaces, ContactElements& element
                     double tolerance, double growth, double elsewhere = 0, int num_threads = 1,
                     std::span<const bool> held = {});
 
+/// Multipliers become the normal forces at q (augmented Lagrangian): the same forces then need less
+/// penetration. Penetrations fall by the share of the penalty in the stiffness of what touches.
+void update_multipliers(const DeformableSurfaces& surfaces, ContactElements& elements, Unknowns q,
+                        Unknowns q_start, const ContactLaws& laws, int num_threads = 1);
+
 /// Deepest penetration, mm, at least 0.
 double deepest_penetration(const DeformableSurfaces& surfaces, const ContactElements& elements,
                            Unknowns q, int num_threads = 1);
@@ -44,7 +49,7 @@ struct LogStiffness {
 /// Of all penalties per length, or of all per area.
 LogStiffness sum_log_stiffness(const ContactElements& elements, bool per_area);
 
-/// Multiplies the penalties of all contact elements.
+/// Multiplies the penalties of all contact elements, and their multipliers.
 void scale_stiffness(ContactElements& elements, double factor);
 
 } // namespace braidx

@@ -29,6 +29,7 @@ inline nb::dict element_arrays(const ContactElements& elements) {
     out["normal"] = gather<double>(elements, 3, [](const E& e, auto i) { return e.normal[i]; });
     out["weight"] = gather<double>(elements, 1, [](const E& e, auto) { return e.weight; });
     out["stiffness"] = gather<double>(elements, 1, [](const E& e, auto) { return e.stiffness; });
+    out["multiplier"] = gather<double>(elements, 1, [](const E& e, auto) { return e.multiplier; });
     out["xi"] = gather<double>(
         elements, 4, [](const E& e, auto i) { return i < 2 ? e.xi_a[i] : e.xi_b[i - 2]; });
     out["round"] =
@@ -68,6 +69,7 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
                *normal = column<double>(arrays, "normal", n, 3),
                *weight = column<double>(arrays, "weight", n),
                *stiffness = column<double>(arrays, "stiffness", n),
+               *multiplier = column<double>(arrays, "multiplier", n),
                *xi = column<double>(arrays, "xi", n, 4),
                *slip = column<double>(arrays, "slip", n, 3),
                *work = column<double>(arrays, "work", n),
@@ -92,6 +94,7 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
                   .follows = follows[i],
                   .weight = weight[i],
                   .stiffness = stiffness[i],
+                  .multiplier = multiplier[i],
                   .facet_a = facet[2 * i],
                   .facet_b = facet[2 * i + 1],
                   .xi_a = {xi[4 * i], xi[4 * i + 1]},

@@ -28,6 +28,13 @@ struct NormalLaw {
         return -stiffness * (gap + 0.5 * regularisation);
     }
 
+    /// Penetration that has a force, mm: the inverse of `force`.
+    double penetration(double force) const {
+        const double smooth = 0.5 * stiffness * regularisation; // at -regularisation
+        return force <= smooth ? std::sqrt(2 * regularisation * std::max(force, 0.0) / stiffness)
+                               : force / stiffness + 0.5 * regularisation;
+    }
+
     /// -dR_N/dgap >= 0.
     double tangent(double gap) const {
         return gap >= 0 ? 0 : stiffness * std::min(1.0, -gap / regularisation);

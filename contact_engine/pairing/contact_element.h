@@ -21,6 +21,8 @@ struct ContactElement {
                       ///< mm^2, of which points of two skins share
     double stiffness; ///< penalty per length, N/mm per mm, or per area; equal within a proximity
                       ///< zone
+    double multiplier = 0; ///< normal force at gap 0, N/mm (MPa where penalties are per area); see
+                           ///< update_multipliers
     std::int32_t facet_a = -1, facet_b = -1; ///< facets of skins
     double xi_a[2] = {0, 0}; ///< transverse coordinates of the surface particles (beams), mm;
     double xi_b[2] = {0, 0}; ///< reference coordinates on facets

@@ -51,6 +51,7 @@ void inherit(ContactElement& element, const ContactElement& predecessor, bool ke
     element.slip = predecessor.slip;
     element.work = predecessor.work;
     element.stiffness = predecessor.stiffness;
+    element.multiplier = predecessor.multiplier;
 }
 
 } // namespace braidx

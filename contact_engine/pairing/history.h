@@ -44,9 +44,9 @@ private:
     std::vector<Entry> places_; ///< ascending
 };
 
-/// Hands on memory: slip (in the directions of the start of the increment), work and penalty; and,
-/// if asked, the side: a normal found from the geometry of tubes never flips, but for what the pair
-/// has turned.
+/// Hands on memory: slip (in the directions of the start of the increment), work, multiplier and
+/// penalty; and, if asked, the side: a normal found from the geometry of tubes never flips, but for
+/// what the pair has turned.
 void inherit(ContactElement& element, const ContactElement& predecessor, bool keep_side);
 
 } // namespace braidx

@@ -20,9 +20,7 @@ from .tubes import TubeLayout, engine_tubes, no_crossings, nodes_beyond
 class Contact:
     """Contact elements between tubes, skins of solids and rigid surfaces, and their forces.
 
-    Surfaces are numbered together: tubes first, then skins.
-
-    Residual and tangent leave out what acts between images only: nobody asks for their rows.
+    Surfaces are numbered together: tubes first, then skins. What acts between images only is left out.
 
     Attributes:
         layout: The tubes.
@@ -159,7 +157,7 @@ class Contact:
 
         What touches between unknowns that are `held`, shape (num_unknowns,), is left as it is.
         """
-        # Whether zones near the tolerance are raised, too, is decided together.
+        # Zones near the tolerance are raised or not on all processes alike.
         deepest = self.deepest_penetration(q) if self.comm.size > 1 else 0.0
         changed = engine.adapt_stiffness(
             self.surfaces,
@@ -173,10 +171,13 @@ class Contact:
         )
         return self.comm.allreduce(changed)
 
+    def update_multipliers(self, q: Floats) -> None:
+        """Multipliers become the normal forces at q: the same forces then need less penetration."""
+        engine.update_multipliers(*self._at(q), self.num_threads)
+
     def deepest_penetration(self, q: Floats) -> float:
         """Of all processes, mm, at least 0."""
-        seen = self._seen(q)
-        deepest = engine.deepest_penetration(self.surfaces, self.elements, seen, self.num_threads)
+        deepest = engine.deepest_penetration(*self._at(q)[:3], self.num_threads)
         return self.comm.allreduce(deepest, op=MPI.MAX)
 
     def max_step(self, q: Floats, step: Floats) -> float:
@@ -186,12 +187,12 @@ class Contact:
 
     def rigid_share(self, q: Floats) -> float:
         """Of all normal forces of all processes, the share that acts on rigid surfaces."""
-        sums = engine.sum_normal_forces(*self._at(q), self.num_threads)
-        rigid, everywhere = self.comm.allreduce(np.array(sums))
+        sums = np.array(engine.sum_normal_forces(*self._at(q), self.num_threads))
+        rigid, everywhere = self.comm.allreduce(sums)
         return float(rigid / max(everywhere, 1e-300))
 
     def scale_stiffness(self, factor: float) -> None:
-        """Multiplies all penalties."""
+        """Multiplies all penalties and multipliers."""
         if factor != 1.0:
             engine.scale_stiffness(self.elements, factor)
 

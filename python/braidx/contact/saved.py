@@ -11,10 +11,11 @@ import numpy as np
 def own_pairs(arrays: dict[str, np.ndarray], pairing: Any) -> dict[str, np.ndarray]:
     """Of contact elements of all processes, see Contact.arrays, those that `pairing` makes this one's."""
     a, b = arrays["tubes"].astype(np.int64).T
-    # States saved before solids could touch know no facets, and those before ends were round no ends.
+    # States saved by earlier versions know no facets, no ends and no multipliers.
     older: dict[str, np.ndarray] = {
         "facet": np.full((a.size, 2), -1, np.int32),
         "round": np.zeros((a.size, 2)),
+        "multiplier": np.zeros(a.size),
     }
     arrays = {**older, **arrays}
     swapped = np.all(arrays["facet"] >= 0, axis=1) & (b < a)

@@ -60,6 +60,20 @@ TEST_CASE("with the normal forces there, friction is the gradient of its potenti
         }
 }
 
+TEST_CASE("with multipliers residual and tangent are those of the energy, too", "[assemble]") {
+    unsigned seed = 70;
+    for (const auto& [kind_a, kind_b] : mixtures) {
+        INFO(kind_a.name << " and " << kind_b.name);
+        auto contact = random_contact(kind_a, kind_b, 0.3, stick, ++seed);
+        for (auto& e : contact.elements)
+            e.multiplier = 0.03 * static_cast<double>(&e - contact.elements.data()) * e.stiffness;
+        const Vector residual = contact.residual();
+        CHECK((residual - contact.finite_difference_gradient()).norm() < 1e-6 * residual.norm());
+        check_equal(contact.tangent(FrictionTangent::consistent),
+                    contact.finite_difference_tangent());
+    }
+}
+
 TEST_CASE("the energy of contact is the same with any number of threads", "[assemble]") {
     const auto contact = mixed_contacts();
     const auto forces = normal_forces(contact.rods.surfaces(), contact.elements, contact.rods.q,

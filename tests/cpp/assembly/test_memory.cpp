@@ -162,6 +162,29 @@ TEST_CASE("penalties do not grow where nothing that touches can move", "[memory]
     }
 }
 
+TEST_CASE("multipliers take over the forces, and the same ones then need no penetration",
+          "[memory]") {
+    Contact contact = pressed_pair();
+    const double force = normal_force(contact);
+    const auto pressed = contact.rods.q;
+    update_multipliers(contact.rods.tubes, contact.elements, contact.rods.q, contact.start,
+                       contact.laws);
+    const auto& e = contact.elements[0];
+    CHECK(e.multiplier * e.weight == force);
+    for (std::size_t i = 6; i < 12; i += 3)
+        contact.rods.q[i] += 0.02; // to gap 0
+    CHECK(std::abs(normal_force(contact) - force) < 1e-12 * force);
+    for (std::size_t i = 6; i < 12; i += 3)
+        contact.rods.q[i] += 0.0201; // by more than the force needs
+    CHECK(normal_force(contact) == 0);
+    update_multipliers(contact.rods.tubes, contact.elements, contact.rods.q, contact.start,
+                       contact.laws);
+    contact.rods.q = pressed;
+    CHECK(std::abs(normal_force(contact) - force) < 1e-12 * force);
+    scale_stiffness(contact.elements, 2);
+    CHECK(std::abs(normal_force(contact) - 2 * force) < 1e-12 * force);
+}
+
 TEST_CASE("any number of threads remembers the same", "[memory]") {
     const Contact contact = mixed_contacts();
     const auto& tubes = contact.rods.tubes;

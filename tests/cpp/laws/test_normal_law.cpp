@@ -41,6 +41,12 @@ TEST_CASE("force is the derivative of energy, tangent that of force", "[normal_l
     }
 }
 
+TEST_CASE("a force has its penetration", "[normal_law]") {
+    CHECK(law.penetration(0) == 0);
+    for (double gap = -3.013 * p; gap < 0; gap += 0.071 * p)
+        CHECK(near(law.penetration(law.force(gap)), -gap, 1e-12));
+}
+
 TEST_CASE("gap reduction lets an element open by one step, and no more", "[normal_law]") {
     CHECK(reduced_gap(-0.5, -0.5, 0.1) == -0.5 + 0.4);   // acts with one step of penetration
     CHECK(near(reduced_gap(-0.4, -0.5, 0.1), 0, 1e-15)); // opened by one step: free

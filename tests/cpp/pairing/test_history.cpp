@@ -69,11 +69,13 @@ TEST_CASE("memory is handed on", "[history]") {
     old.slip = {0, 0.003, 0.004};
     old.work = 3.5;
     old.stiffness = 4321;
+    old.multiplier = 8.5;
     auto element = element_at(2, 2, 5, Vec3(0.8, 0.6, 0));
     inherit(element, old, true);
     CHECK(element.slip == old.slip); // in the directions of the start of the increment
     CHECK(element.work == 3.5);
     CHECK(element.stiffness == 4321);
+    CHECK(element.multiplier == 8.5);
 }
 
 TEST_CASE("the normal keeps its side, whatever the centres say", "[history]") {
