@@ -12,6 +12,7 @@ from ..contact.contact import Contact
 from ..output.log import LOGGER
 from ..solver.increment import Increment, Incrementer, IncrementOptions
 from ..solver.newton import Newton, NewtonOptions
+from ..solver.stability import negative_pivots
 from ..solver.trial import Diverged
 from ..system.global_system import GlobalSystem
 from ..system.proximal import ProximalTerm
@@ -190,6 +191,26 @@ class Equilibria:
             self._contact.start = self._proximal.start = q
             self._contact.update(q)
             self._inertia.forces = self.forces(q)
+
+    def negative_pivots(self, q: Floats) -> int:
+        """Directions in which the state q accepted last is unstable, without stabilisation; a warning tells of them.
+
+        Friction counts with the normal forces that it has there: so it has a potential.
+        """
+        viscosity, symmetrised = self._proximal.viscosity, self._contact.symmetrised
+        self._proximal.viscosity, self._contact.symmetrised = np.zeros(q.size), True
+        try:
+            self.system.set_state(q)
+            count = negative_pivots(self.system)
+        finally:
+            self._proximal.viscosity, self._contact.symmetrised = viscosity, symmetrised
+        if count:
+            LOGGER.warning(
+                "unstable equilibrium: the tangent has %d negative pivots; a small force that is taken away again, or "
+                "`run`, leads to a stable one",
+                count,
+            )
+        return count
 
     @property
     def tolerance(self) -> float:

@@ -64,6 +64,7 @@ class Rods(RodState):
         penetration: Largest that is accepted, mm, or None.
         time: Of the last one, s.
         friction_work: Dissipated until now, mJ.
+        negative_pivots: Directions in which the state that `solve` found is unstable; a warning tells of them.
         motion: Steps of `run` since the last `solve`, with their balances of energy.
     """
 
@@ -99,6 +100,7 @@ class Rods(RodState):
         nodes = (self.layout.lengths > 0.0) & ~self.layout.is_director
         self.proximal.viscosity[:] = np.where(nodes, viscosity, 0.0)
         self.time = self.friction_work = 0.0
+        self.negative_pivots = 0
         self.penetration = None if penetration is None else penetration * self.contact.min_radius
         self._inertia: InertiaTerm | None = None
         self.motion: list[MotionStep] = []
@@ -222,7 +224,9 @@ class Rods(RodState):
             given = whole is not None
             return self._equilibria.find(self.q, first, end, blind=not given, leap=given)
 
-        return self._follow(step, increments, max_cuts, observe)
+        found = self._follow(step, increments, max_cuts, observe)
+        self.negative_pivots = self._equilibria.negative_pivots(self.q)
+        return found
 
     def run(
         self,
