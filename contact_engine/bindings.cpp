@@ -117,6 +117,8 @@ NB_MODULE(braidx_engine, m) {
             require_elements(surfaces, previous, "previous");
             require_crossings(surfaces.tubes, crossings);
             require_options(surfaces, rigid, options);
+            for (const auto& r : rigid)
+                require_frame(r.frame, q, "a frame of rigid");
             return make_contact_elements({surfaces.tubes, crossings, rigid, surfaces.skins},
                                          view(q), previous, options, view(q_start));
         },
@@ -226,7 +228,7 @@ NB_MODULE(braidx_engine, m) {
         [](const OwnedSurfaces& surfaces, ContactElements& elements, const In<double>& q,
            double tolerance, double growth, double elsewhere, int num_threads,
            const std::optional<In<bool>>& held) {
-            require_elements(surfaces, elements);
+            require_elements(surfaces, elements, q);
             require_unknowns(surfaces, q, "q");
             if (held)
                 require_shape(*held, "held", shape_of(q));
@@ -247,7 +249,7 @@ NB_MODULE(braidx_engine, m) {
         "deepest_penetration",
         [](const OwnedSurfaces& surfaces, const ContactElements& elements, const In<double>& q,
            int num_threads) {
-            require_elements(surfaces, elements);
+            require_elements(surfaces, elements, q);
             require_unknowns(surfaces, q, "q");
             return deepest_penetration(surfaces, elements, view(q), num_threads);
         },

@@ -109,6 +109,13 @@ void add_gap(LocalSystem& system, const Side& side, double s, Unknowns q) {
                        q);
 }
 
+/// Adds the particle of a rigid surface that a frame turns; on the gap its turn has no influence.
+void add_in_frame(LocalSystem& system, const ContactElement& e, Unknowns q) {
+    add_unknown(system, e.frame, 1, true, q);
+    for (int i = 0; i < 3; ++i)
+        add_unknown(system, e.frame + 3 * (i + 1), e.in_frame[i], true, q);
+}
+
 LocalSystem system_at(const DeformableSurfaces& surfaces, const ContactElement& e, Unknowns q,
                       const Facing& where) {
     LocalSystem system;
@@ -127,12 +134,15 @@ LocalSystem system_at(const DeformableSurfaces& surfaces, const ContactElement& 
     system.count_a = system.count;
     if (!rigid)
         add_side(b);
+    else if (e.frame >= 0)
+        add_in_frame(system, e, q);
     system.count_frozen = system.count;
     if (a.facet < 0)
         add_gap(system, a, where.s_a, q);
     if (rigid) {
         system.gap += e.normal.dot(e.wall);
-        system.separation += e.wall;
+        if (e.frame < 0)
+            system.separation += e.wall;
     } else if (b.facet < 0) {
         add_gap(system, b, where.s_b, q);
     }

@@ -1,6 +1,7 @@
 #include "pattern.h"
 
 #include "../parallel.h"
+#include "../surfaces/rigid.h"
 #include "asked.h"
 #include "local_system.h"
 
@@ -18,7 +19,8 @@ using Keys = std::vector<std::uint64_t>;
 /// nothing else.
 struct Group {
     std::int32_t surface_a, element_a;
-    std::int32_t surface_b = -1, element_b = 0; ///< -1: rigid surfaces are all alike
+    std::int32_t surface_b = -1, element_b = 0; ///< -1: rigid surfaces are all alike, but for
+    std::int64_t frame = -1;                    ///< what turns them
     auto operator<=>(const Group&) const = default;
 };
 
@@ -33,6 +35,7 @@ Group group_of(const DeformableSurfaces& surfaces, const ContactElement& e, doub
         out.surface_b = e.surface_b;
         out.element_b = element(e.surface_b, e.facet_b, e.s_b + by_b);
     }
+    out.frame = e.frame;
     return out;
 }
 
@@ -62,6 +65,8 @@ struct GroupUnknowns {
         const int count_a = count;
         if (group.surface_b >= 0)
             add_side(surfaces, group.surface_b, group.element_b);
+        for (int i = 0; group.frame >= 0 && i < Rigid::frame_vectors; ++i)
+            number[count++] = group.frame + 3 * i;
         rows = asked_rows(surfaces, group.surface_a, group.surface_b, count_a, count);
     }
 

@@ -23,7 +23,9 @@ Reaction reaction(const DeformableSurfaces& surfaces, const ContactElement& elem
     if (!out.acts() || mu <= 0)
         return out;
     out.friction.coefficient = mu;
-    const Vec3 separation_start = start.separation + element.wall_start - element.wall;
+    const Vec3 prescribed =
+        element.frame < 0 ? Vec3(element.wall_start - element.wall) : Vec3::Zero();
+    const Vec3 separation_start = start.separation + prescribed;
     const Vec3 slip = out.system.separation + element.turn * (element.slip - separation_start);
     out.slip = slip - element.normal.dot(slip) * element.normal;
     out.friction_force = out.normal_force * out.friction.direction(out.slip);

@@ -65,12 +65,28 @@ inline void require_options(const OwnedSurfaces& surfaces, const std::vector<Rig
     require_bodies(options.may_touch.size(), options.num_bodies, num_bodies, "options.may_touch");
 }
 
+/// Whether a frame, if there is one, is among the unknowns.
+inline void require_frame(std::int64_t frame, const In<double>& q, const char* name) {
+    const auto end = frame + 3 * Rigid::frame_vectors;
+    require(frame < 0 || std::cmp_less_equal(end, q.size()), name, frame,
+            "a first unknown of twelve, of ", q.size());
+}
+
+/// Whether contact elements are between surfaces that there are, and frames among the unknowns.
+inline void require_elements(const OwnedSurfaces& surfaces, const ContactElements& elements,
+                             const In<double>& q) {
+    require_elements(surfaces, elements);
+    for (const auto& e : elements)
+        require_frame(e.frame, q, "a frame of elements");
+}
+
 /// What forces between contact elements are computed from.
 inline void require_state(const OwnedSurfaces& surfaces, const ContactElements& elements,
                           const In<double>& q, const In<double>& q_start, const ContactLaws& laws) {
-    require_elements(surfaces, elements);
+    require_elements(surfaces, elements, q);
     require_unknowns(surfaces, q, "q");
     require_unknowns(surfaces, q_start, "q_start");
+    require_shape(q_start, "q_start", shape_of(q));
     int num_bodies = surfaces.num_bodies;
     for (const auto& e : elements)
         num_bodies = std::max(num_bodies, e.body_b + 1);

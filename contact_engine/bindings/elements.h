@@ -39,6 +39,8 @@ inline nb::dict element_arrays(const ContactElements& elements) {
     out["body_b"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.body_b; });
     out["wall"] = gather<double>(
         elements, 6, [](const E& e, auto i) { return i < 3 ? e.wall[i] : e.wall_start[i - 3]; });
+    out["frame"] = gather<std::int64_t>(elements, 1, [](const E& e, auto) { return e.frame; });
+    out["in_frame"] = gather<double>(elements, 3, [](const E& e, auto i) { return e.in_frame[i]; });
     out["allowance"] = gather<double>(elements, 1, [](const E& e, auto) { return e.allowance; });
     out["follows"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.follows; });
     out["zone"] = gather<std::int32_t>(elements, 1, [](const E& e, auto) { return e.zone; });
@@ -75,8 +77,10 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
                *work = column<double>(arrays, "work", n),
                *allowance = column<double>(arrays, "allowance", n),
                *wall = column<double>(arrays, "wall", n, 6),
+               *in_frame = column<double>(arrays, "in_frame", n, 3),
                *round = column<double>(arrays, "round", n, 2);
-    const auto* station = column<std::int64_t>(arrays, "station", n);
+    const auto *station = column<std::int64_t>(arrays, "station", n),
+               *frame = column<std::int64_t>(arrays, "frame", n);
     const auto *zone = column<std::int32_t>(arrays, "zone", n),
                *body_b = column<std::int32_t>(arrays, "body_b", n),
                *follows = column<std::int32_t>(arrays, "follows", n),
@@ -105,6 +109,8 @@ inline ContactElements elements_from_arrays(const nb::dict& arrays) {
                   .work = work[i],
                   .wall = Eigen::Map<const Vec3>(wall + 6 * i),
                   .wall_start = Eigen::Map<const Vec3>(wall + 6 * i + 3),
+                  .frame = frame[i],
+                  .in_frame = Eigen::Map<const Vec3>(in_frame + 3 * i),
                   .allowance = allowance[i],
                   .zone = zone[i],
                   .crossing = crossing[i]};

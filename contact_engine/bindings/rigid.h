@@ -59,6 +59,17 @@ inline void bind_rigid(nb::module_& m) {
                          vector3(rotation, "rotation"), vector3(translation, "translation")};
         },
         "rigid"_a, "pivot"_a, "rotation"_a, "translation"_a);
+    m.def(
+        "turned_by",
+        [](Rigid rigid, std::int64_t frame) {
+            require(!std::holds_alternative<Plane>(rigid.shape), "rigid", "a plane",
+                    "a cylinder or a sheave, which a frame may turn about its axis");
+            require(frame >= 0 && frame % 3 == 0, "frame", frame,
+                    "the number of a first unknown, a multiple of three");
+            rigid.frame = frame;
+            return rigid;
+        },
+        "rigid"_a, "frame"_a);
 }
 
 } // namespace braidx::bindings

@@ -139,10 +139,9 @@ ContactElements Builder::wall(std::int32_t a, const Rigid& rigid, std::int32_t n
                        .normal = -wall.normal,
                        .weight = weight,
                        .stiffness = 0,
-                       .wall = wall.position,
-                       .wall_start = rigid.at_start(wall.position)});
+                       .wall = wall.position});
     }
-    return finished(std::move(out), rigid.turn());
+    return finished(std::move(out), rigid);
 }
 
 ContactElements Builder::crossing(const Crossing& crossing, std::int32_t number,
@@ -170,6 +169,16 @@ ContactElements Builder::finished(ContactElements elements, const Mat3& rigid) c
         e = complete(e, rigid);
     share_stiffness(elements);
     return elements;
+}
+
+ContactElements Builder::finished(ContactElements elements, const Rigid& rigid) const {
+    for (auto& e : elements) {
+        e.wall_start = rigid.at_start(e.wall, q_start_, q_);
+        e.frame = rigid.frame;
+        if (rigid.frame >= 0)
+            e.in_frame = rigid.in_frame(e.wall, q_);
+    }
+    return finished(std::move(elements), rigid.turn(q_start_, q_));
 }
 
 /// The element with how it has turned, its memory, and its particles.

@@ -28,6 +28,9 @@ public:
     /// one penalty. `rigid`: how the rigid surface b, if it is one, has turned.
     ContactElements finished(ContactElements elements, const Mat3& rigid = Mat3::Identity()) const;
 
+    /// Elements on a rigid surface, with their particles there.
+    ContactElements finished(ContactElements elements, const Rigid& rigid) const;
+
     const History& history() const { return history_; }
 
 private:

@@ -35,6 +35,8 @@ struct ContactElement {
     double work = 0;                ///< work dissipated by friction so far, N mm = mJ
     Vec3 wall = Vec3::Zero();       ///< particle of a rigid surface b now, mm
     Vec3 wall_start = Vec3::Zero(); ///< and when the increment started
+    std::int64_t frame = -1;        ///< of a rigid surface b, see Rigid; -1: none
+    Vec3 in_frame = Vec3::Zero();   ///< coordinates of its particle there, mm
     double allowance = 0; ///< added to the gap: sections of a crossing that do not face each other,
                           ///< overlaps at rest, smooth surfaces above facets, mm
     std::int32_t zone = -1; ///< number of the proximity zone

@@ -207,10 +207,9 @@ ContactElements SkinBuilder::wall(std::int32_t skin_a, const Rigid& rigid,
                        .facet_a = point.at.facet,
                        .xi_a = {point.at.u, point.at.v},
                        .wall = wall.position,
-                       .wall_start = rigid.at_start(wall.position),
                        .allowance = point.rise * point.normal.dot(wall.normal)});
     }
-    return builder_.finished(std::move(out), rigid.turn());
+    return builder_.finished(std::move(out), rigid);
 }
 
 std::vector<ContactElements> skin_parts(const Surfaces& surfaces, Unknowns q,

@@ -1,6 +1,7 @@
 #include "rigid.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 
 namespace braidx {
@@ -10,6 +11,13 @@ namespace {
 Vec3 direction(const Vec3& v, const Vec3& otherwise) {
     const double length = v.norm();
     return length > 1e-9 ? Vec3(v / length) : otherwise;
+}
+
+Mat3 directors(Unknowns q, std::int64_t frame) {
+    Mat3 out;
+    for (int i = 0; i < 3; ++i)
+        out.col(i) = vector_at(q, frame + 3 * (i + 1));
+    return out;
 }
 
 Vec3 across(const Vec3& v, const Vec3& axis) {
@@ -42,15 +50,23 @@ SurfacePoint Rigid::nearest(const Vec3& x) const {
     return std::visit([&](const auto& s) { return s.nearest(x); }, shape);
 }
 
-Mat3 Rigid::turn() const {
+Vec3 Rigid::in_frame(const Vec3& x, Unknowns q) const {
+    return directors(q, frame).inverse() * (x - vector_at(q, frame));
+}
+
+Mat3 Rigid::turn(Unknowns q_start, Unknowns q) const {
+    if (frame >= 0)
+        return directors(q, frame) * directors(q_start, frame).inverse();
     const double angle = rotation.norm();
     if (angle == 0)
         return Mat3::Identity();
     return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
 }
 
-Vec3 Rigid::at_start(const Vec3& x) const {
-    return pivot + turn().transpose() * (x - translation - pivot);
+Vec3 Rigid::at_start(const Vec3& x, Unknowns q_start, Unknowns q) const {
+    if (frame >= 0)
+        return vector_at(q_start, frame) + directors(q_start, frame) * in_frame(x, q);
+    return pivot + turn(q_start, q).transpose() * (x - translation - pivot);
 }
 
 } // namespace braidx

@@ -41,7 +41,12 @@ struct Sheave {
     SurfacePoint nearest(const Vec3& x) const;
 };
 
-/// A rigid surface with its motion during the increment.
+/// A rigid surface with its motion during the increment: prescribed, or that of a frame among the
+/// unknowns.
+///
+/// A frame is twelve unknowns, a point x and three directors. A particle at x + xi1 g1 + xi2 g2 +
+/// xi3 g3 is then linear in the unknowns however far the frame turns. The shape stays where it is,
+/// so that a frame may only turn it about an axis of revolution.
 struct Rigid {
     std::variant<Plane, Cylinder, Sheave> shape;
     int body; ///< number of the body, for friction per pair of bodies
@@ -49,13 +54,20 @@ struct Rigid {
     Vec3 rotation = Vec3::Zero();    ///< of the increment about the pivot: axis times angle, rad
     Vec3 translation = Vec3::Zero(); ///< of the increment, mm
 
+    std::int64_t frame = -1; ///< its first unknown, -1: the motion is prescribed
+
+    static constexpr int frame_vectors = 4;
+
     SurfacePoint nearest(const Vec3& x) const;
 
+    /// Coordinates in the frame of a particle that is now at x.
+    Vec3 in_frame(const Vec3& x, Unknowns q) const;
+
     /// Rotation of the increment.
-    Mat3 turn() const;
+    Mat3 turn(Unknowns q_start, Unknowns q) const;
 
     /// Where a particle of the surface, now at x, was when the increment started.
-    Vec3 at_start(const Vec3& x) const;
+    Vec3 at_start(const Vec3& x, Unknowns q_start, Unknowns q) const;
 };
 
 } // namespace braidx

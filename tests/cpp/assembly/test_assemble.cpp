@@ -1,4 +1,5 @@
 #include "support/contact.h"
+#include "surfaces/rigid.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -130,6 +131,43 @@ TEST_CASE("against a wall all of it holds, too", "[assemble]") {
             const Vector residual = contact.residual();
             CHECK((residual - contact.finite_difference_gradient()).norm() <
                   1e-6 * residual.norm());
+        }
+}
+
+TEST_CASE("against a wall that a frame turns all of it holds, too", "[assemble]") {
+    unsigned seed = 90;
+    Random random(9);
+    for (const auto& kind : all_kinds)
+        for (const double slide : {stick, slip}) {
+            INFO(kind.name << ", motion " << slide);
+            auto contact = random_contact_with_wall(kind, 0.3, slide, ++seed);
+            Rigid rigid{Cylinder{Vec3::Zero(), Vec3::UnitX(), 1, false}, 1};
+            rigid.frame = static_cast<std::int64_t>(contact.rods.q.size());
+            for (const Vec3& x :
+                 {random.vector(3), Vec3(Vec3::UnitX()), Vec3(0, 0.8, 0.6), Vec3(0, -0.6, 0.8)}) {
+                contact.rods.q.insert(contact.rods.q.end(), x.begin(), x.end());
+                const Vec3 before = x + random.vector(0.1 * slide);
+                contact.start.insert(contact.start.end(), before.begin(), before.end());
+            }
+            for (auto& e : contact.elements) {
+                e.frame = rigid.frame;
+                e.in_frame = rigid.in_frame(e.wall, contact.rods.q);
+            }
+            CHECK(num_sliding(contact) == (slide == slip ? contact.elements.size() : 0));
+            const Matrix tangent = contact.tangent(FrictionTangent::consistent);
+            check_equal(tangent, contact.finite_difference_tangent());
+            CHECK(tangent.bottomRightCorner(12, 12).norm() > 1);
+            const Vector residual = contact.residual();
+            CHECK((residual - contact.finite_difference_gradient()).norm() <
+                  1e-6 * residual.norm());
+            // Friction on the frame is that on the tube, turned round.
+            const auto forces = -residual.tail<12>();
+            Vec3 friction = Vec3::Zero();
+            for (const auto& e : contact.elements)
+                friction +=
+                    reaction(contact.rods.tubes, e, contact.rods.q, contact.start, contact.laws)
+                        .friction_force;
+            CHECK((forces.head<3>() + friction).norm() < 1e-12 * friction.norm());
         }
 }
 

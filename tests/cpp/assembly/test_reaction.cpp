@@ -1,5 +1,7 @@
 #include "support/contact.h"
+#include "surfaces/rigid.h"
 
+#include <Eigen/Geometry>
 #include <catch2/catch_test_macros.hpp>
 
 using namespace braidx;
@@ -78,6 +80,44 @@ TEST_CASE("gap reduction limits the force to that of one step", "[reaction]") {
     CHECK(std::abs(reaction_of(contact).system.gap + 0.8) < 1e-14); // reported as it is
     contact.laws.gap_step = 2;
     CHECK(std::abs(reaction_of(contact).normal_force - law.force(-0.8)) < 1e-9);
+}
+
+TEST_CASE("a frame drags as a motion that is prescribed does", "[reaction]") {
+    const Vec3 centre(-1.98, 0.3, 0);
+    const double angle = 0.004;
+    const Rigid bar{Cylinder{centre, Vec3::UnitZ(), 1, false}, 0}, moved = [&] {
+        Rigid out = bar;
+        out.pivot = centre;
+        out.rotation = angle * Vec3::UnitZ();
+        return out;
+    }();
+    auto contact = one_contact(0, 0.2);
+    auto& e = contact.elements[0];
+    e.surface_b = -1;
+    e.normal = -Vec3::UnitX();
+    e.wall = Vec3(-0.98, 0.3, 2);
+    e.wall_start = moved.at_start(e.wall, {}, {});
+    const auto prescribed = reaction_of(contact);
+    Rigid framed = bar;
+    framed.frame = static_cast<std::int64_t>(contact.rods.q.size());
+    const auto turned = [](double by) {
+        return Mat3(Eigen::AngleAxisd(by, Vec3::UnitZ()).toRotationMatrix());
+    };
+    for (auto [q, by] : {std::pair(&contact.start, 0.1), std::pair(&contact.rods.q, 0.1 + angle)}) {
+        q->insert(q->end(), centre.begin(), centre.end());
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 director = turned(by).col(i);
+            q->insert(q->end(), director.begin(), director.end());
+        }
+    }
+    CHECK((framed.at_start(e.wall, contact.start, contact.rods.q) - e.wall_start).norm() < 1e-14);
+    CHECK((framed.turn(contact.start, contact.rods.q) - moved.turn({}, {})).norm() < 1e-14);
+    e.frame = framed.frame;
+    e.in_frame = framed.in_frame(e.wall, contact.rods.q);
+    const auto found = reaction_of(contact);
+    CHECK(prescribed.slip.norm() > 1e-3);
+    CHECK((found.slip - prescribed.slip).norm() < 1e-12);
+    CHECK(std::abs(found.system.gap - prescribed.system.gap) < 1e-12);
 }
 
 TEST_CASE("a moving wall drags", "[reaction]") {

@@ -120,6 +120,6 @@ TEST_CASE("at_start undoes the motion of the increment", "[rigid]") {
             i == 0 ? Mat3::Identity()
                    : Mat3(Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix());
         const Vec3 moved = rigid.pivot + rotation * (x - rigid.pivot) + rigid.translation;
-        CHECK((rigid.at_start(moved) - x).norm() < 1e-12);
+        CHECK((rigid.at_start(moved, {}, {}) - x).norm() < 1e-12);
     }
 }
