@@ -128,6 +128,7 @@ def test_shapes_of_results(press: Press) -> None:
         "slip": 3,
         "xi": 4,
         "wall": 6,
+        "in_frame": 3,
     }
     for name, values in arrays.items():
         assert values.shape == ((n, widths[name]) if name in widths else (n,)), name
