@@ -1,5 +1,7 @@
 #include "tube.h"
 
+#include <utility>
+
 namespace braidx {
 namespace {
 
@@ -22,7 +24,8 @@ Support quadratic_support(std::int32_t e, double t) {
     return out;
 }
 
-/// Catmull-Rom weights; the phantom node past an end is the linear extrapolation of the last two.
+/// Catmull-Rom weights. The phantom node past an end continues the parabola through the last three
+/// nodes, which the last element then is; of a tube of one element, the straight line.
 Support smooth_support(const Tube& tube, double s) {
     const auto e = tube.element_of(s);
     const double t = s - e;
@@ -31,23 +34,22 @@ Support smooth_support(const Tube& tube, double s) {
     std::array<double, 4> d = {-0.5 + t * (2.0 - 1.5 * t), t * (-5.0 + 4.5 * t),
                                0.5 + t * (4.0 - 4.5 * t), t * (-1.0 + 1.5 * t)};
     std::array<double, 4> b = {2.0 - 3.0 * t, -5.0 + 9.0 * t, 4.0 - 9.0 * t, -1.0 + 3.0 * t};
-    const auto fold = [](std::array<double, 4>& v, int phantom, int near, int far) {
-        v[near] += 2.0 * v[phantom];
-        v[far] -= v[phantom];
-        v[phantom] = 0.0;
-    };
     const bool first = !tube.is_closed && e == tube.first_element(),
                last = !tube.is_closed && e == tube.end_element() - 1;
-    if (first) {
-        fold(w, 0, 1, 2);
-        fold(d, 0, 1, 2);
-        fold(b, 0, 1, 2);
-    }
-    if (last) {
-        fold(w, 3, 2, 1);
-        fold(d, 3, 2, 1);
-        fold(b, 3, 2, 1);
-    }
+    if (first && last)
+        return linear_support(e, t);
+    const auto fold = [&](int phantom, int inward) {
+        for (auto* v : {&w, &d, &b}) {
+            const double folded = std::exchange((*v)[phantom], 0.0);
+            (*v)[phantom + inward] += 3.0 * folded;
+            (*v)[phantom + 2 * inward] -= 3.0 * folded;
+            (*v)[phantom + 3 * inward] += folded;
+        }
+    };
+    if (first)
+        fold(0, 1);
+    if (last)
+        fold(3, -1);
     Support out;
     for (int i = first ? 1 : 0; i < (last ? 3 : 4); ++i) {
         out.node[out.count] = e - 1 + i;

@@ -35,11 +35,11 @@ def smooth(line: Floats, goes_on: bool) -> Floats:
     """Points of the Catmull-Rom spline through nodes of shape (n, 3), mm: what yarns are to contact (docs/theory.md).
 
     Args:
-        goes_on: Whether the line repeats itself past its ends; else it goes on straight.
+        goes_on: Whether the line repeats itself past its ends; else its last spans are parabolas through three nodes.
     """
     period = line[-1] - line[0]
-    before = line[-2] - period if goes_on else 2.0 * line[0] - line[1]
-    after = line[1] + period if goes_on else 2.0 * line[-1] - line[-2]
+    before = line[-2] - period if goes_on else 3.0 * (line[0] - line[1]) + line[2]
+    after = line[1] + period if goes_on else 3.0 * (line[-1] - line[-2]) + line[-3]
     p = np.vstack([before, line, after])[:, None]
     t = np.linspace(0.0, 1.0, FINER, endpoint=False)[:, None]
     a, b, c, d = p[:-3], p[1:-2], p[2:-1], p[3:]

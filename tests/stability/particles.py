@@ -53,7 +53,7 @@ def on_line(nodes: Floats, s: Floats, degree: int, smooth: bool) -> Floats:
     Args:
         nodes, s: As above.
         degree: Of the elements.
-        smooth: Whether those of degree 1 are Catmull-Rom splines, going on straight, instead of straight lines.
+        smooth: Whether those of degree 1 are Catmull-Rom splines, parabolas at ends, instead of straight lines.
     """
     count = (len(nodes) - 1) // degree
     element = np.clip(np.floor(s).astype(int), 0, count - 1)
@@ -63,7 +63,8 @@ def on_line(nodes: Floats, s: Floats, degree: int, smooth: bool) -> Floats:
         return np.asarray((1 - t) * (1 - 2 * t) * a + 4 * t * (1 - t) * b + t * (2 * t - 1) * c)
     if not smooth:
         return np.asarray((1 - t) * nodes[element] + t * nodes[element + 1])
-    all_ = np.vstack([2 * nodes[0] - nodes[1], nodes, 2 * nodes[-1] - nodes[-2]])
+    before, after = (3 * (a - b) + c for a, b, c in (nodes[:3], nodes[:-4:-1]))
+    all_ = np.vstack([before, nodes, after])
     a, b, c, d = (all_[element + k] for k in range(4))
     cubic = 2 * a - 5 * b + 4 * c - d, 3 * (b - c) + d - a
     return np.asarray(b + t / 2 * (c - a + t * (cubic[0] + t * cubic[1])))

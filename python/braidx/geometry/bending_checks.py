@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from braidx.geometry.strand import OVERLAP_ALLOWED, strand_section
+from braidx.geometry.strand import OVERLAP_ALLOWED, laid_pitch, strand_section
 from braidx.scene.errors import SceneError
 from braidx.scene.scene import Scene
 
@@ -34,7 +34,7 @@ def outer_diameter(scene: Scene) -> float:
 
 
 def _strand_radius(scene: Scene) -> float:
-    return strand_section(scene.strand, scene.yarn.radius).outer_radius
+    return strand_section(scene.strand, scene.yarn.radius, laid_pitch(scene)).outer_radius
 
 
 def _check_core(scene: Scene) -> None:

@@ -6,9 +6,10 @@ import math
 
 from braidx.geometry.bending_checks import check_bent_rope
 from braidx.geometry.closed_forms import helix_angle
+from braidx.geometry.helix import MOST_TURN
 from braidx.geometry.jamming import check_jamming
 from braidx.geometry.motif import check_motif, motif_matrix
-from braidx.geometry.strand import largest_yarn_radius, ring_radii, yarn_pitch
+from braidx.geometry.strand import laid_pitch, largest_yarn_radius, ring_radii, yarn_pitch
 from braidx.geometry.undulation_checks import check_undulation
 from braidx.scene.errors import SceneError
 from braidx.scene.scene import Scene
@@ -18,6 +19,7 @@ def check_geometry(scene: Scene) -> None:
     """Raises SceneError, with the cure, where the rope of a scene cannot be placed."""
     _check_yarn_pitch(scene)
     _check_rings(scene)
+    _check_laid(scene)
     _check_slope(scene)
     if scene.braid is not None:
         counts = (scene.braid.strands_per_direction[0], scene.braid.strands_per_direction[1])
@@ -56,6 +58,28 @@ def _check_rings(scene: Scene) -> None:
             f"{rings} yarns overlap with strand.helix_radius = {scene.strand.helix_radius} mm; use "
             f'at most {largest:.4g} mm, or strand.helix_radius = "touching".',
             scene.yarn.radius,
+        )
+
+
+def _check_laid(scene: Scene) -> None:
+    """Yarns of a strand that is not in a braid lie beside each other, on helices with enough nodes in a turn."""
+    pitch = laid_pitch(scene)
+    if math.isinf(max(ring_radii(scene.strand, scene.yarn.radius, pitch))):
+        least = 2.0 * scene.yarn.radius * max(scene.strand.rings)
+        raise SceneError(
+            "strand.yarn_pitch",
+            f"{max(scene.strand.rings)} yarns of radius {scene.yarn.radius:g} mm do not fit beside each other in a turn; "
+            f"use more than {least:.4g} mm.",
+            scene.strand.yarn_pitch,
+        )
+    spans = scene.yarn.elements_per_pitch * scene.yarn.degree
+    least = 2.0 * math.pi / MOST_TURN * scene.rope.pitch / pitch  # 0 where nothing is twisted
+    if max(scene.strand.rings) > 1 and spans < least * (1.0 - 1e-9):
+        raise SceneError(
+            "yarn.elements_per_pitch",
+            f"a yarn has fewer than four spans between nodes in a turn; use at least "
+            f"{math.ceil(least / scene.yarn.degree)}.",
+            scene.yarn.elements_per_pitch,
         )
 
 

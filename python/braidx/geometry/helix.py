@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from braidx.geometry.undulation import Undulation
 
 Array = NDArray[np.float64]
+MOST_TURN = np.pi / 2.0  # between nodes: parabolas through three of a half circle are 13 % nearer
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,19 @@ class StrandHelix:
 
     def _slope(self, z: Array) -> Array | float:
         return 0.0 if self.undulation is None else self.undulation.slope(z)
+
+
+def outside(radius: float, turn: float) -> float:
+    """Radius on which nodes of a helix lie so that no curve between them comes nearer to the axis than `radius`, mm.
+
+    With c = 1 - cos(turn), a parabola through three nodes on a radius r comes as near as r sqrt(1 - c^2 / 4). That is
+    an element of degree 2, and the end of a line of degree 1; between, its contact geometry stays farther out.
+
+    Args:
+        radius: mm.
+        turn: Angle between nodes next to each other, radians, at most MOST_TURN in size.
+    """
+    return float(radius / np.sqrt(1.0 - 0.25 * (1.0 - np.cos(turn)) ** 2))
 
 
 def place_yarn(helix: StrandHelix, radius: float, phase: float, rate: float, z: Array) -> Array:

@@ -7,10 +7,10 @@ import numpy as np
 from braidx.geometry.checks import check_geometry
 from braidx.geometry.end_groups import check_end_groups
 from braidx.geometry.crossings import Crossings, find_crossings, no_crossings
-from braidx.geometry.helix import place_yarn
+from braidx.geometry.helix import outside, place_yarn
 from braidx.geometry.motif import motif_matrix
 from braidx.geometry.start_configuration import Rope
-from braidx.geometry.strand import strand_section, yarn_pitch
+from braidx.geometry.strand import laid_pitch, strand_section, yarn_pitch
 from braidx.geometry.strands import lay_sense, strand_helices
 from braidx.scene.scene import Scene
 
@@ -30,9 +30,12 @@ def build_rope(scene: Scene, pitches: int | None = None) -> Rope:
     intervals = scene.yarn.elements_per_pitch * pitches * scene.yarn.degree
     z = np.linspace(0.0, length, intervals + 1, dtype=np.float64)
     helices, layer = strand_helices(scene)
-    section = strand_section(scene.strand, scene.yarn.radius)
-    places = list(zip(section.ring_radius, section.phase, strict=True))
+    section = strand_section(scene.strand, scene.yarn.radius, laid_pitch(scene))
     pitch = yarn_pitch(scene.strand, scene.rope.pitch)
+    # Braids are formed: what they start from may overlap.
+    turn = 0.0 if scene.braid is not None else 2.0 * np.pi / pitch * float(z[1])
+    rings = [outside(radius, turn) for radius in section.ring_radius]
+    places = list(zip(rings, section.phase, strict=True))
     lines = tuple(
         place_yarn(
             helix, radius, phase, lay_sense(scene.strand.lay, helix) * 2.0 * np.pi / pitch, z

@@ -5,6 +5,10 @@ from __future__ import annotations
 from ..scene import Scene
 from ..solver.newton import NewtonOptions
 
+UNSTRETCHED = (
+    1e-6  # strain of yarns that counts as none: beside it round-off (1e-16 of a position) is small
+)
+
 
 def newton_options(scene: Scene) -> NewtonOptions:
     """Options of the Newton iteration; no step is longer than a yarn's radius."""
@@ -16,4 +20,6 @@ def newton_options(scene: Scene) -> NewtonOptions:
         max_turn=solver.director_cap,
         symmetric=solver.tangent == "symmetric",
         petsc=solver.petsc,
+        # Yarns that are placed without overlap carry no force that a residual could be compared with.
+        least_force=UNSTRETCHED * scene.yarn.axial_stiffness,
     )

@@ -7,13 +7,16 @@ from dataclasses import replace
 
 from ..scene import Settle
 from .model import RopeModel
+from .newton_options import UNSTRETCHED
 from .outcome import NotConverged, Outcome
 from .pull import outcome
 from .puller import Puller
 from .state import State
 
-SETTLED = 0.05  # settled: the force is missed by less than this fraction (at zero force: yarns
-UNSTRETCHED = 1e-6  # would be strained by less than this), and
+SETTLED = (
+    0.05  # settled: the force is missed by less than this fraction (at zero force: yarns would
+)
+# be strained by less than UNSTRETCHED), and
 STRIDES = 4.0  # most of what parallel yarns would need that the end is moved by
 REST = 1e-3  # the stabilisation's work in an increment, over the internal energy
 LITTLE = 0.01  # its share below which a stabilisation that could not let go once tries to again

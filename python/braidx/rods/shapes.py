@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
+from ..geometry.helix import MOST_TURN, outside
+
 Floats = npt.NDArray[np.float64]
+ROUND_OFF = 1e-9  # relative
 
 
 def straight(start: Sequence[float], end: Sequence[float], num_spans: int) -> Floats:
@@ -46,22 +50,25 @@ def ring(radius: float, num_spans: int, overlap: float = 0.0) -> Floats:
     return radius * np.stack([np.cos(angle), np.sin(angle), 0.0 * angle], axis=1)
 
 
-def helix(
-    radius: float, pitch: float, length: float, num_spans: int, phase: float = 0.0, degree: int = 1
-) -> Floats:
+def helix(radius: float, pitch: float, length: float, num_spans: int, phase: float = 0.0) -> Floats:
     """Nodes of a helix about the z axis, from z = 0 to `length`, shape (num_spans + 1, 3), mm.
 
     Args:
-        radius: That no point of the rod comes nearer to the axis than; nodes of elements of degree 2 lie a little
-            outside, so that a rod placed about a core does not penetrate it between its nodes.
+        radius: That no point of the rod comes nearer to the axis than, whatever the degree of its elements: nodes lie a
+            little outside (0.07 % with 16 spans in a turn, a sixteenth of that with 32). A rod placed about a core thus
+            does not penetrate it between nodes.
         pitch: Height of a turn, negative for one to the left, mm.
         phase: Angle at z = 0, radians.
-        degree: Of the elements that the nodes are for.
+    Raises:
+        ValueError: If a turn has less than four spans.
     """
-    if degree == 2:
-        # With the angle h between nodes, the parabola through three of them comes as near as r sqrt(1 - c^2 / 4).
-        c = 1.0 - np.cos(2.0 * np.pi * length / (pitch * num_spans))
-        radius = radius / np.sqrt(1.0 - 0.25 * c**2)
+    turn = 2.0 * np.pi * length / (pitch * num_spans)
+    if abs(turn) > MOST_TURN * (1.0 + ROUND_OFF):
+        least = math.ceil(4.0 * abs(length / pitch) - ROUND_OFF)
+        raise ValueError(
+            f"num_spans = {num_spans}: a helix needs four spans in a turn, here {least}"
+        )
+    radius = outside(radius, turn)
     z = np.linspace(0.0, length, num_spans + 1)
-    angle = phase + 2.0 * np.pi * z / pitch
+    angle = phase + turn * np.arange(num_spans + 1)
     return np.stack([radius * np.cos(angle), radius * np.sin(angle), z], axis=1)

@@ -44,7 +44,7 @@ def interpolated(nodes: Floats, degree: int, count: int) -> Floats:
     else:
         t = np.arange(count)[:, None, None] / count
         a, b = nodes[:-1], nodes[1:]
-        slopes = np.gradient(nodes, axis=0)
+        slopes = np.gradient(nodes, axis=0, edge_order=2 if len(nodes) > 2 else 1)
         inner = (1 + 2 * t) * (1 - t) ** 2 * a + t * t * (3 - 2 * t) * b
         inner = inner + t * (1 - t) ** 2 * slopes[:-1] - t * t * (1 - t) * slopes[1:]
     return np.concatenate([np.swapaxes(inner, 0, 1).reshape(-1, nodes.shape[1]), nodes[-1:]])

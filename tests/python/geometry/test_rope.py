@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from braidx.geometry import build_rope
 from braidx.geometry.helix import StrandHelix, place_yarn
+from braidx.geometry.strand import touching_radius
 from braidx.scene import RopeRecipe, Scene, StrandRecipe, YarnModel, load_scene
 
 PAPER = Path(__file__).parents[3] / "demos" / "tensile_test.toml"
@@ -48,10 +49,17 @@ def test_the_lay_of_a_straight_strand(lay, sense):
         strand=StrandRecipe(rings=(1, 6), yarn_pitch=20.0, lay=lay),
     )
     rope = build_rope(scene)
-    line = rope.centre_lines[1]
+    line, nodes_in_a_turn = (
+        rope.centre_lines[1],
+        scene.yarn.elements_per_pitch * scene.yarn.degree / 3,
+    )
     turn = np.unwrap(np.arctan2(line[:, 1], line[:, 0]))
     assert turn[-1] - turn[0] == pytest.approx(sense * 3 * 2.0 * np.pi)
-    assert np.allclose(np.hypot(line[:, 0], line[:, 1]), 1.0)  # touching: two yarn radii
+    assert turn[1] - turn[0] == pytest.approx(sense * 2.0 * np.pi / nodes_in_a_turn)
+    c = 1.0 - np.cos(2.0 * np.pi / nodes_in_a_turn)  # see test_strand.py for the rest of the radius
+    outside = 1.0 / np.sqrt(1.0 - c**2 / 4.0)
+    radius = touching_radius(6, 0.5, True, 20.0) * outside
+    assert np.allclose(np.hypot(line[:, 0], line[:, 1]), radius, rtol=1e-12)
     assert len(rope.crossings) == 0
 
 

@@ -41,7 +41,7 @@ def sampled(rods, rod, degree=2):
         for a, b, c in zip(nodes[:-2:2], nodes[1:-1:2], nodes[2::2], strict=True):
             parts.append((1 - t) * (1 - 2 * t) * a + 4 * t * (1 - t) * b + t * (2 * t - 1) * c)
     else:
-        slopes = np.gradient(nodes, axis=0)
+        slopes = np.gradient(nodes, axis=0, edge_order=2)
         for i in range(len(nodes) - 1):
             a, b, u, v = *nodes[i : i + 2], *slopes[i : i + 2]
             hermite = (1 + 2 * t) * (1 - t) ** 2 * a + t * t * (3 - 2 * t) * b
