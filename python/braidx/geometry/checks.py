@@ -68,7 +68,7 @@ def _check_laid(scene: Scene) -> None:
         least = 2.0 * scene.yarn.radius * max(scene.strand.rings)
         raise SceneError(
             "strand.yarn_pitch",
-            f"{max(scene.strand.rings)} yarns of radius {scene.yarn.radius:g} mm do not fit beside each other in a turn; "
+            f"{max(scene.strand.rings)} yarns of radius {scene.yarn.radius:g} mm find no room beside each other; "
             f"use more than {least:.4g} mm.",
             scene.strand.yarn_pitch,
         )

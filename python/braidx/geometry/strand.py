@@ -64,7 +64,7 @@ def _apart(count: int, yarn_radius: float, pitch: float) -> float:
 def ring_radii(
     recipe: StrandRecipe, yarn_radius: float, pitch: float = math.inf
 ) -> tuple[float, ...]:
-    """Radius of each ring, mm; a single yarn in the first ring lies on the centre line. See `laid_pitch` for the last."""
+    """Radius of each ring, mm; a single yarn in the first ring lies on the centre line. `pitch`: see `laid_pitch`."""
     central = recipe.rings[0] == 1
     first = 1 if central else 0
     radii = [0.0] * first
@@ -100,7 +100,7 @@ def largest_yarn_radius(recipe: StrandRecipe) -> float:
 def strand_section(
     recipe: StrandRecipe, yarn_radius: float, pitch: float = math.inf
 ) -> StrandSection:
-    """Lay out the yarns of a strand, ring by ring from the inside out. See `laid_pitch` for the last."""
+    """Lay out the yarns of a strand, ring by ring from the inside out. `pitch`: see `laid_pitch`."""
     radii = ring_radii(recipe, yarn_radius, pitch)
     places = [
         (radius, 2.0 * math.pi * k / count)
