@@ -24,8 +24,9 @@ Support quadratic_support(std::int32_t e, double t) {
     return out;
 }
 
-/// Catmull-Rom weights. The phantom node past an end continues the parabola through the last three
-/// nodes, which the last element then is; of a tube of one element, the straight line.
+/// Catmull-Rom weights. The phantom node past the end of a rod continues the parabola through the
+/// last three nodes, which the last element then is. Of a tube that goes on beyond what is
+/// modelled, it continues the straight line; a tube of one element is one.
 Support smooth_support(const Tube& tube, double s) {
     const auto e = tube.element_of(s);
     const double t = s - e;
@@ -39,11 +40,12 @@ Support smooth_support(const Tube& tube, double s) {
     if (first && last)
         return linear_support(e, t);
     const auto fold = [&](int phantom, int inward) {
+        const double bend = tube.has_ends() ? 1.0 : 0.0;
         for (auto* v : {&w, &d, &b}) {
             const double folded = std::exchange((*v)[phantom], 0.0);
-            (*v)[phantom + inward] += 3.0 * folded;
-            (*v)[phantom + 2 * inward] -= 3.0 * folded;
-            (*v)[phantom + 3 * inward] += folded;
+            (*v)[phantom + inward] += (2.0 + bend) * folded;
+            (*v)[phantom + 2 * inward] -= (1.0 + 2.0 * bend) * folded;
+            (*v)[phantom + 3 * inward] += bend * folded;
         }
     };
     if (first)

@@ -90,7 +90,7 @@ struct Support {
 Support element_support(const Tube& tube, double s);
 
 /// Weights of the contact geometry at s: C1 through four nodes where the tube is smooth
-/// (Catmull-Rom; end elements are parabolas through three nodes), the element's own shape functions
+/// (Catmull-Rom; at ends of rods parabolas through three nodes), the element's own shape functions
 /// otherwise.
 Support contact_support(const Tube& tube, double s);
 
