@@ -18,11 +18,12 @@ from . import curves, solids
 from .clamp import SIZE, Clamp
 from .curves import Line
 from .pieces import Piece
+from .sheave import SheaveFrame, SheavePlace
 from .stretches import Stretch
 
 
 class Assembly:
-    """All bodies of a bent rope, numbered one after the other, the two clamps last.
+    """All bodies of a bent rope, numbered one after the other, the two clamps and the sheave last.
 
     Attributes:
         bodies: Each with the number of its first unknown.
@@ -31,6 +32,7 @@ class Assembly:
         pieces: One per stretch, in their order.
         core: The core's piece, or None.
         clamps: At the start and at the end of the rope.
+        sheave: What the sheave turns with.
         start: All unknowns of the straight rope, shape (num_unknowns,).
 
     Args:
@@ -60,6 +62,7 @@ class Assembly:
         self.pieces = [self._pieces[stretch] for stretch in stretches]
         start, end = lines[0][0, 2], lines[0][-1, 2]
         self.clamps = self._add_clamp(start), self._add_clamp(end)
+        self.sheave = self._add_sheave()
         self.start: Floats = np.concatenate(self._rest)
 
     @property
@@ -155,6 +158,15 @@ class Assembly:
         self._size += body.num_unknowns
         self._rest.append(rest.ravel())
         return first
+
+    def _add_sheave(self) -> SheaveFrame:
+        place, sheave = SheavePlace.below(self.scene, self.lines), self.scene.sheave
+        frame = SheaveFrame(
+            self._size, place.centre, sheave is not None and sheave.motion == "free"
+        )
+        self._size += frame.SIZE
+        self._rest.append(frame.start)
+        return frame
 
     def _add_clamp(self, height: float) -> Clamp:
         clamp = Clamp(self._size, height)

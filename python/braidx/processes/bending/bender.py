@@ -9,9 +9,7 @@ from ...system.constraints import Floats
 from ..attempt import Attempt, attempt
 from ..outcome import NotConverged
 from ..state import State
-from .bearing import BALANCED, balanced, friction_moment
 from .model import BentRope
-from .sheave import AXIS
 
 # Of the stabilisation that straight ropes get: a rope that bends is held by its stiffness, and goes far.
 CALM = 1e-3
@@ -33,7 +31,6 @@ class Bender:
         self.travel = state.progress.get("travel", 0.0)
         self.pretension = state.progress.get("pretension", 0.0)
         self._moved = state.progress.get("moved", 0.0)
-        self._turn = 0.0  # of the sheave in the last increment, radians
         scene = model.scene
         self._options = IncrementOptions(
             pairing_tolerance=PAIRED,
@@ -60,46 +57,15 @@ class Bender:
         model, system, solver = self.model, self.model.system, self.model.scene.solver
         factor = CALM * 4.0**cuts
         model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
-        model.move(self.travel + step, self.pretension)
+        angle = self._angle + model.sheave.turn(model.scene, step)
+        model.move(self.travel + step, self.pretension, angle)
         first = system.expand(system.free_values(self._predict(step)))
-        if not model.sheave.turns_freely:
-            return self._turned(model.sheave.turn(model.scene, step), first)
-        return self._balanced(step, first)
+        return model.incrementer.solve(self.state.q, first, self._options)
 
-    def _turned(self, angle: float, first: Floats) -> Increment:
-        """The increment from a first guess of its end, while the sheave turns by an angle (radians)."""
-        self._turn = angle
-        self.model.contact.rigid = [self.model.sheave.surface(angle)]
-        return self.model.incrementer.solve(self.state.q, first, self._options)
-
-    def _balanced(self, step: float, first: Floats) -> Increment:
-        """The increment while the sheave turns as friction takes it along."""
-        contact, sheave = self.model.contact, self.model.sheave
-        before = contact.elements.copy()
-        iterations = solves = 0
-
-        def solve(angle: float) -> Increment:
-            nonlocal first, iterations, solves
-            contact.restore(before.copy())
-            increment = self._turned(angle, first)
-            first = increment.q  # near the next one
-            iterations += increment.iterations
-            solves += increment.linear_solves
-            return increment
-
-        def moment(increment: Increment) -> tuple[float, float]:
-            value, scale = friction_moment(contact, increment.q, sheave.centre, AXIS)
-            left = PAIRED * self.model.system.force_scale * sheave.radius  # by an equilibrium
-            return value, max(BALANCED * scale, left)
-
-        rate = self.state.progress.get("sheave_turn", 0.0) / self._moved if self._moved else 0.0
-        elastic = contact.laws.reversible_slip / sheave.radius
-        try:
-            found = balanced(solve, moment, rate * step, elastic)[0]
-            return replace(found, iterations=iterations, linear_solves=solves)
-        except Diverged:
-            contact.restore(before)
-            raise
+    @property
+    def _angle(self) -> float:
+        """That the sheave has turned by, radians."""
+        return self.state.progress.get("sheave_angle", 0.0)
 
     def _predict(self, step: float) -> Floats:
         """At the rate of the last increment: ropes that bend on keep it, and go back by the way that they came."""
@@ -119,8 +85,7 @@ class Bender:
             "travel": self.travel,
             "moved": step,
             "pretension": self.pretension,
-            "sheave_turn": self._turn,
-            "sheave_angle": state.progress.get("sheave_angle", 0.0) + self._turn,
+            "sheave_angle": self._angle + self.model.assembly.sheave.turned(state.q, increment.q),
             "furthest": max(self.travel, state.progress.get("furthest", 0.0)),
         }
         self.state = replace(

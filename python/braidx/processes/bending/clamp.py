@@ -10,6 +10,7 @@ that it keeps its length:
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -81,10 +82,10 @@ class Clamp:
 
 
 class ClampTerm:
-    """Term of the global system that keeps the turning directors of clamps at length one.
+    """Term of the global system that keeps turning directors at length one.
 
     Args:
-        clamps: The clamps.
+        directors: Unknowns of those of clamps and of a sheave that turns freely, shape (n, 3).
         stiffness: k, N mm.
         mine: Whether this process gives forces and stiffness.
     """
@@ -92,11 +93,10 @@ class ClampTerm:
     pattern_version = 1
     spread = None
 
-    def __init__(self, clamps: tuple[Clamp, ...], stiffness: float, mine: bool = True) -> None:
-        unknowns = [clamp.vector(2) for clamp in clamps] if mine else []
-        self._unknowns: Ints = np.array(unknowns, dtype=np.int64).reshape(-1, 3)
+    def __init__(self, directors: Sequence[Ints], stiffness: float, mine: bool = True) -> None:
+        self._unknowns = np.array(directors if mine else [], dtype=np.int64).reshape(-1, 3)
         self._stiffness = stiffness
-        self._director: Floats = np.zeros((len(unknowns), 3))
+        self._director: Floats = np.zeros(self._unknowns.shape)
 
     def set_state(self, q: Floats) -> None:
         """See Term."""

@@ -12,7 +12,8 @@ from ...scene import Scene
 from ...system.constraints import Floats
 from ..rope_contact import set_options
 from ..threads import num_threads
-from .surfaces import CORE, NO_YARN, SHEAVE, YARN, Surfaces
+from .contact_bodies import CORE, SHEAVE, YARN
+from .surfaces import NO_YARN, Surfaces
 
 # First penalty over the transverse modulus: touching yarns give way more than their surfaces do.
 FIRST_PENALTY = 5.0

@@ -21,6 +21,7 @@ def joints(assembly: Assembly) -> tuple[Constraints, Floats]:
     values = np.zeros(len(assembly.start))
     for clamp in assembly.clamps:
         clamp.hold(constraints, values)
+    assembly.sheave.hold(constraints, values)
     first, last = (clamp.axial for clamp in assembly.clamps)
     constraints.combine(first, [last], [-1.0])
     values[first] = assembly.start[first] + assembly.start[last]

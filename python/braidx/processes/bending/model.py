@@ -68,14 +68,15 @@ class BentRope:
         self.sheave = SheavePlace.below(scene, lines)
         self.surfaces = surfaces_of(self.assembly)
         self.contact = make_contact(comm, scene, self.surfaces, self.start)
+        self.contact.rigid = [self.sheave.surface(self.assembly.sheave)]
         size = len(self.start)
         cables = self.assembly.cables
         self.proximal = ProximalTerm(size, comm.rank, cable_turning(*cables) if cables else None)
         self.loads = LoadTerm(size, comm.rank)
         yarn, radius = scene.yarn, scene.yarn.radius
-        self.clamp_term = ClampTerm(
-            self.assembly.clamps, yarn.axial_stiffness * radius, mine=comm.rank == 0
-        )
+        turning = [clamp.vector(2) for clamp in self.assembly.clamps]
+        turning += [self.assembly.sheave.vector(2)] if self.assembly.sheave.turns_freely else []
+        self.clamp_term = ClampTerm(turning, yarn.axial_stiffness * radius, mine=comm.rank == 0)
         self.tilt = self._tilt()
         terms: list[Term] = [BodyTerm(body, first) for body, first in self.assembly.bodies]
         terms += [self.contact, self.proximal, self.loads, self.clamp_term]
@@ -95,17 +96,19 @@ class BentRope:
         loose = bending / scene.rope.pitch**3
         self.incrementer = Incrementer(self.newton, self.contact, self.proximal, loose)
 
-    def move(self, travel: float, pretension: float) -> None:
-        """Prescribes where the ends are.
+    def move(self, travel: float, pretension: float, angle: float) -> None:
+        """Prescribes where the ends are, and how far a sheave that is not free has turned.
 
         Args:
             travel: Of both ends towards the sheave, mm.
             pretension: Force on either end along the axis of the straight rope, N.
+            angle: Of the sheave, radians.
         """
         values = self._values.copy()
         for clamp, sign in zip(self.assembly.clamps, (-1.0, 1.0), strict=True):
             values[clamp.travel] = -travel
             self.loads.loads[clamp.axial] = sign * pretension
+        self.assembly.sheave.turn_to(values, angle)
         self.system.constraint_values = values
 
     def set_viscosity(self, positions: float, directors: float) -> None:
@@ -147,6 +150,7 @@ class BentRope:
             out[first : first + body.num_unknowns] = np.arange(body.num_unknowns) % body.block >= 3
         for clamp in self.assembly.clamps:
             out[clamp.first_unknown + 3 : clamp.first_unknown + SIZE] = True
+        out[self.assembly.sheave.first_unknown + 3 :] = True
         return out
 
     def _tilt(self) -> SectionTilt | None:

@@ -10,9 +10,9 @@ from ...contact.skins import SkinLayout
 from ...contact.tubes import TubeLayout
 from ...system.constraints import Ints
 from .assembly import Assembly
+from .contact_bodies import CORE, YARN
 from .solids import yarn_offset
 
-YARN, CORE, SHEAVE = range(3)  # bodies, as far as friction is concerned
 NO_YARN = -1  # number of the core among the yarns
 
 

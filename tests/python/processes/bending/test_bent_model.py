@@ -18,6 +18,7 @@ SCENE = Path(__file__).parent / "small_bend.toml"
 MIXED = ["yarn.model=mixed", "yarn.solid_stretch=14"]
 MODELS = {
     "cables and beam": ["yarn.model=cable"],
+    "free sheave": ["yarn.model=cable", "sheave.motion=free"],
     "beams and solid": ["core.model=solid", "core.seeds=8"],
     "solids": ["yarn.model=solid", "yarn.seeds=4", "core.model=solid", "core.seeds=8"],
     "mixed": [*MIXED, "yarn.seeds=4", "core.model=solid", "core.seeds=8"],
@@ -39,8 +40,7 @@ def test_tangent_is_the_derivative_of_the_residual(name):
     model = bent_rope(*MODELS[name])
     system, contact = model.system, model.contact
     rng = np.random.default_rng(4)
-    contact.rigid = [model.sheave.surface(0.01)]
-    model.move(0.2, 10.0)
+    model.move(0.2, 10.0, 0.01)
     model.set_viscosity(2.0, 30.0)
     free = system.free_values(model.start)
     q = system.expand(free + 1e-3 * rng.standard_normal(len(free)))
@@ -96,9 +96,29 @@ def test_a_clamp_moves_what_ends_in_it_like_a_rigid_body(name):
     assert q[first.axial] == pytest.approx(2.0)
 
 
+def test_a_sheave_turns_with_its_frame():
+    model = bent_rope("sheave.motion=free")
+    frame, system = model.assembly.sheave, model.system
+    q = model.start.copy()
+    for angle in (0.4, 2.5, -2.0):  # less than half a turn each, more than a whole one together
+        before, told = q, np.array([np.cos(angle), np.sin(angle)])
+        g2 = q[frame.vector(2)[1:]]
+        q = q.copy()
+        q[frame.vector(2)[1:]] = [
+            g2[0] * told[0] - g2[1] * told[1],
+            g2[0] * told[1] + g2[1] * told[0],
+        ]
+        q = system.expand(system.free_values(q))
+        directors = q[frame.first_unknown + 3 :].reshape(3, 3)
+        assert directors @ directors.T == pytest.approx(np.eye(3), abs=1e-12)
+        assert np.linalg.det(directors) == pytest.approx(1.0)
+        assert frame.turned(before, q) == pytest.approx(angle)
+        assert q[frame.vector(0)] == pytest.approx(model.sheave.centre)
+
+
 def test_energy_of_clamps_and_its_derivatives():
     clamps = (Clamp(0, 0.0), Clamp(9, 5.0))
-    term = ClampTerm(clamps, stiffness=3.0)
+    term = ClampTerm([clamp.vector(2) for clamp in clamps], stiffness=3.0)
     q = np.concatenate([clamp.start for clamp in clamps])
     rng = np.random.default_rng(1)
     q += 0.2 * rng.standard_normal(len(q))
