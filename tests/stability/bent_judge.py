@@ -102,7 +102,7 @@ class BentRun:
 
     def _pretension(self) -> float:
         bends = [step for step in self.scene.steps if isinstance(step, Bend)]
-        return 1e3 * bends[-1].pretension
+        return 1e3 * (bends[-1].pretension or 0.0)
 
     def _shorter(self, straight: Sequence[Floats]) -> float:
         """What both ends have come nearer to each other along the axis of the straight rope, mm."""

@@ -29,6 +29,7 @@ COLUMNS = (
     "moment (N mm)",
     "travel (mm)",
     "stabilisation work share (-)",
+    "run (mm)",
 )
 
 
@@ -62,6 +63,7 @@ class HistoryRow:
     stabilisation_work_share: float = (
         0.0  # -, all of its work since the rope was formed, over the internal energy
     )
+    run: float | None = None  # mm, way of a bent rope over the sheave
 
 
 class History:

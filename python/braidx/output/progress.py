@@ -109,6 +109,8 @@ def increment_line(row: HistoryRow) -> str:
         parts.append(f"strain {100 * row.rope_strain:.3f} %")
     if row.travel is not None:
         parts.append(f"travel {row.travel:.2f} mm")
+    if row.run:
+        parts.append(f"run {row.run:.2f} mm")
     if row.force is not None:
         parts.append(f"force {in_newtons(1e3 * row.force)}")
     parts.append(f"Newton {row.newton_iterations:2d}")

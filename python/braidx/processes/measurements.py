@@ -24,7 +24,14 @@ OF_THE_RUN = {
     "stabilisation_residual_share": "largest of all states reported",
 }
 
-ON_THE_WAY = ("form", "settle", "bend", "straighten", "bend_cycles")  # steps whose end counts
+ON_THE_WAY = (
+    "form",
+    "settle",
+    "bend",
+    "run_over",
+    "straighten",
+    "bend_cycles",
+)  # steps whose end counts
 
 FIRST_PULL = tuple(n for n in RESULT_UNITS if n.startswith("yarn_stress") or n.endswith("_loaded"))
 

@@ -26,6 +26,7 @@ class Outcome:
         cost: Newton iterations and linear solves of all attempts.
         snapshot: Name under which the state is kept for pictures, if any.
         travel: How far the ends of a bent rope have been moved towards the sheave, mm.
+        run: Way that it has been drawn over the sheave, mm.
         moment: Moment about the axis that the last section is turned with, N mm; None without groups of ends.
     """
 
@@ -39,3 +40,4 @@ class Outcome:
     snapshot: str | None = None
     moment: float | None = None
     travel: float | None = None
+    run: float | None = None

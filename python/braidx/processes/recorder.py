@@ -124,6 +124,7 @@ class Recorder:
             outcome.moment,
             outcome.travel,
             work,
+            outcome.run,
         )
         self._history.append(row)
         self._progress.increment(row, outcome.share)

@@ -13,9 +13,22 @@ from mpi4py import MPI
 from ..geometry import build_rope
 from ..output.log import LOGGER
 from ..output.summary import PhaseCost
-from ..scene import Bend, BendCycles, Cycle, Form, Hold, Pull, Scene, Settle, Step, Straighten
+from ..scene import (
+    Bend,
+    BendCycles,
+    Cycle,
+    Form,
+    Hold,
+    Pull,
+    RunOver,
+    Scene,
+    Settle,
+    Step,
+    Straighten,
+)
 from . import state as checkpoint
-from .bending.bend import bend, bend_cycles, improved, straighten
+from .bending.bend import bend, bend_cycles, improved, run_over, straighten
+from .bending.bend import pull as pull_clamped
 from .bending.model import BentRope
 from .bending.solids import check_core
 from .bending.start import BENT, clamped, make_bent_rope
@@ -39,7 +52,11 @@ STEPS: dict[type[Step], Callable[..., Iterator[Outcome]]] = {
     Bend: bend,
     Straighten: straighten,
     BendCycles: bend_cycles,
+    RunOver: run_over,
 }
+PULL_CLAMPED: Callable[..., Iterator[Outcome]] = (
+    pull_clamped  # of a rope that is bent in the same scene
+)
 REST_FORCE = 100.0  # force on the rope after forming where no settle step gives one, N
 
 
@@ -73,9 +90,10 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
 
 def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -> None:
     model: RopeModel | BentRope | None = None
+    bends = any(isinstance(step, Bend) for step in scene.steps)
     while state.step < len(scene.steps):
         step = scene.steps[state.step]
-        if isinstance(step, Bend) and state.model != BENT:
+        if bends and not isinstance(step, Form) and state.model != BENT:
             state, model = clamped(scene, state), None
         elif state.forms and not isinstance(step, Form):
             force = 1e3 * step.force if isinstance(step, Settle) else REST_FORCE
@@ -87,7 +105,8 @@ def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -
             model = make_model(comm, scene, state)
         recorder.begin(step, model)
         clock = time.perf_counter()
-        for outcome in _named(STEPS[type(step)](model, state, step), state.increment):
+        follow = PULL_CLAMPED if bends and isinstance(step, Pull) else STEPS[type(step)]
+        for outcome in _named(follow(model, state, step), state.increment):
             seconds = time.perf_counter() - clock
             state = _counted(outcome, state, step, seconds)
             recorder.record(model, step, replace(outcome, state=state), seconds)

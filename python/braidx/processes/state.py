@@ -20,7 +20,8 @@ FILE = "checkpoint.npz"
 ARRAYS = ("q", "reference", "rest_tension", "previous", "stretches")
 KEPT = (
     *("strain", "share", "tension"),
-    *("travel", "moved", "pretension", "furthest", "cycle_begin", "cycle_work", "energy"),
+    *("travel", "pull", "run", "slope", "last_travel", "last_pull", "last_run", "sheave_angle"),
+    *("furthest", "cycle_begin", "cycle_work", "energy"),
 )  # by the steps that follow
 CELL = ("cell", "released")  # models of one pitch
 

@@ -1,7 +1,7 @@
 """Scenes: a rope, its model and its programme, as TOML files and as frozen dataclasses."""
 
 from braidx.scene.accuracy import followed, level_of
-from braidx.scene.bending import Bend, BendCycles, Straighten
+from braidx.scene.bending import Bend, BendCycles, RunOver, Straighten
 from braidx.scene.build import scene_from_dict
 from braidx.scene.compare import difference
 from braidx.scene.core import Core
@@ -40,6 +40,7 @@ __all__ = [
     "OutputOptions",
     "Pull",
     "RopeRecipe",
+    "RunOver",
     "Scene",
     "SceneError",
     "Settle",

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from braidx.scene.bending import Bend, BendCycles, Straighten
+from braidx.scene.bending import Bend, BendCycles, RunOver, Straighten
 from braidx.scene.defaults import crossings, is_bundled, most_elements
 from braidx.scene.errors import SceneError
 from braidx.scene.scene import Scene
@@ -108,6 +108,9 @@ def _of_steps(scene: Scene, step: float) -> Iterator[tuple[str, Any]]:
         elif isinstance(each, (Bend, Straighten, BendCycles)):
             travel = each.travel if isinstance(each, Bend) else travel
             way = travel / (step * scene.yarn.radius)
+            yield f"steps.{i}.increments", max(2, math.ceil(way - 1e-9))
+        elif isinstance(each, RunOver):
+            way = each.way / (step * scene.yarn.radius)
             yield f"steps.{i}.increments", max(2, math.ceil(way - 1e-9))
 
 

@@ -22,10 +22,25 @@ class Bend(Step):
         doc="How far both ends are moved towards the sheave at the end of the step, counted from the straight rope. "
         "Increments follow half a cosine, small at both ends.",
     )
-    pretension: float = option(
-        0.0, unit="kN", minimum=0.0, doc="Force on the ends along the rope's axis while it is bent."
+    pretension: float | None = option(
+        None,
+        unit="kN",
+        minimum=0.0,
+        doc="Force on the ends along the straight rope's axis while it is bent. Left out: as pulled last, or none.",
     )
     increments: int = option(30, minimum=1, doc="Number of increments.")
+
+
+@dataclass(frozen=True)
+class RunOver(Step):
+    """Draw a bent rope over the sheave, to one side, to the other and back to the middle, its ends at their slope."""
+
+    kind: ClassVar[str] = "run_over"
+    table: ClassVar[str] = "run_over"
+
+    way: float = option(unit="mm", above=0.0, doc="Way to either side.")
+    cycles: int = option(1, minimum=1, doc="Number of runs to one side, the other and back.")
+    increments: int = option(10, minimum=1, doc="Number of increments per way.")
 
 
 @dataclass(frozen=True)

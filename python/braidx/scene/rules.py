@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from braidx.scene.bending import Bend, BendCycles, Straighten
-from braidx.scene.effects import SOLID, STRAIGHT
+from braidx.scene.bending import Bend, BendCycles, RunOver, Straighten
+from braidx.scene.effects import SOLID, STRAIGHT, bends
 from braidx.scene.errors import SceneError
-from braidx.scene.steps import Form
+from braidx.scene.steps import Form, Pull
 from braidx.scene.tables import SceneTables
 
 
@@ -33,9 +33,11 @@ def _check_steps(scene: SceneTables) -> None:
         if isinstance(step, Bend):
             _check_bend(scene, step, i)
             bent = True
-        elif isinstance(step, (Straighten, BendCycles)) and not bent:
+        elif isinstance(step, (Straighten, BendCycles, RunOver)) and not bent:
             cure = 'the rope is not bent yet; put a step kind = "bend" before it.'
             raise SceneError(f"steps[{i}].kind", cure, step.kind)
+        elif isinstance(step, Pull) and bends(scene):
+            _check_pull(step, i)
         elif isinstance(step, STRAIGHT):
             _check_straight(scene, step.kind, i)
         elif isinstance(step, Form) and i:
@@ -58,9 +60,18 @@ def _check_bend(scene: SceneTables, step: Bend, i: int) -> None:
         raise SceneError(f"steps[{i}].travel", cure, step.travel)
 
 
+def _check_pull(step: Pull, i: int) -> None:
+    if step.to_force is None:
+        cure = "a rope that is bent in the same scene is pulled to a force; give to_force, in kN."
+        raise SceneError(f"steps[{i}].to_strain", cure, step.to_strain)
+
+
 def _check_straight(scene: SceneTables, kind: str, i: int) -> None:
     if scene.sheave is not None:
-        table, instead = "[sheave]", "use steps form, bend, straighten and bend_cycles"
+        table, instead = (
+            "[sheave]",
+            "use steps form, pull, bend, run_over, straighten and bend_cycles",
+        )
     elif scene.core is not None and scene.core.model != "rigid":
         table, instead = f'[core] of model "{scene.core.model}"', 'use core.model = "rigid"'
     else:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from braidx.scene.bending import Bend, BendCycles, Straighten
+from braidx.scene.bending import Bend, BendCycles, RunOver, Straighten
 from braidx.scene.errors import SceneError
 from braidx.scene.fields import option
 from braidx.scene.step import Step
@@ -139,5 +139,6 @@ class Cycle(Step):
 
 
 STEPS: dict[str, type[Step]] = {
-    step.kind: step for step in (Form, Settle, Pull, Hold, Cycle, Bend, Straighten, BendCycles)
+    step.kind: step
+    for step in (Form, Settle, Pull, Hold, Cycle, Bend, RunOver, Straighten, BendCycles)
 }

@@ -233,6 +233,7 @@ def test_tables_in_python(option, value):
         "helix_radius": 1.0,
         "force_max": 2.0,
         "to_force": 1.0,
+        "way": 1.0,
         "end": "last",
         "level": "rope",
     }

@@ -211,4 +211,17 @@ def test_the_schema_knows_tables_and_steps():
     pairs = schema["contact"]["properties"]["friction_between"]["properties"]
     assert pairs["yarn-sheave"] == {"type": "number", "minimum": 0.0, "maximum": 2.0}
     kinds = [step["properties"]["kind"]["const"] for step in schema["steps"]["items"]["oneOf"]]
-    assert kinds[-3:] == ["bend", "straighten", "bend_cycles"]
+    assert kinds[-4:] == ["bend", "run_over", "straighten", "bend_cycles"]
+
+
+def test_a_rope_that_is_bent_is_pulled_to_a_force_and_drawn_over_the_sheave():
+    pull = '[[steps]]\nkind = "pull"\n'
+    run = '[[steps]]\nkind = "run_over"\nway = 3.0\n'
+    scene = scene_from_dict(tomllib.loads(ROPE + SHEAVE + pull + "to_force = 1.0\n" + BEND + run))
+    assert [step.kind for step in scene.steps] == ["pull", "bend", "run_over"]
+    assert scene.steps[1].pretension is None
+    for text, wanted in (
+        (pull + "to_strain = 0.01\n" + BEND, "pulled to a force; give to_force"),
+        (run + BEND, 'put a step kind = "bend" before it'),
+    ):
+        assert wanted in message(lambda: scene_from_dict(tomllib.loads(ROPE + SHEAVE + text)))

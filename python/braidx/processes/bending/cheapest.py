@@ -34,7 +34,9 @@ def foreseen_bending_share(scene: Scene) -> float:
     """
     yarn, section = scene.yarn, yarn_section(scene)
     assert scene.sheave is not None and scene.braid is not None
-    pull = max((step.pretension for step in scene.steps if isinstance(step, Bend)), default=0.0)
+    pull = max(
+        (step.pretension or 0.0 for step in scene.steps if isinstance(step, Bend)), default=0.0
+    )
     angle = math.atan(2.0 * math.pi * scene.braid.helix_radius / scene.rope.pitch)
     tension = 1e3 * pull / (sum(scene.braid.strands_per_direction) * math.cos(angle))
     curvature = 1.0 / bend_radius(scene.sheave.diameter, outer_diameter(scene))

@@ -10,6 +10,7 @@ that it keeps its length:
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -50,6 +51,11 @@ class Clamp:
     def start(self) -> Floats:
         """Its unknowns in the straight rope, shape (9,)."""
         return np.array([0.0, 0.0, self.height, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0])
+
+    def slope(self, q: Floats) -> float:
+        """Angle that it has turned by, radians, positive where the rope rises along its axis."""
+        y, z = q[self.vector(2)[1:]]
+        return math.atan2(-z, y)
 
     def hold(self, constraints: Constraints, values: Floats) -> None:
         """Keeps it in the plane of bending, with its position towards the sheave prescribed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -24,6 +25,7 @@ from .assembly import Assembly
 from .clamp import SIZE, ClampTerm
 from .contact import make_contact
 from .curves import shear_stiffness
+from .ends import Ends
 from .joints import joints
 from .picture import bent_picture
 from .results import bent_results
@@ -96,20 +98,32 @@ class BentRope:
         loose = bending / scene.rope.pitch**3
         self.incrementer = Incrementer(self.newton, self.contact, self.proximal, loose)
 
-    def move(self, travel: float, pretension: float, angle: float) -> None:
+    def move(self, ends: Ends, angle: float) -> None:
         """Prescribes where the ends are, and how far a sheave that is not free has turned.
 
         Args:
-            travel: Of both ends towards the sheave, mm.
-            pretension: Force on either end along the axis of the straight rope, N.
+            ends: What is asked for.
             angle: Of the sheave, radians.
         """
         values = self._values.copy()
-        for clamp, sign in zip(self.assembly.clamps, (-1.0, 1.0), strict=True):
-            values[clamp.travel] = -travel
-            self.loads.loads[clamp.axial] = sign * pretension
+        first, last = self.assembly.clamps
+        rise = ends.run * math.sin(ends.slope)
+        values[first.travel], values[last.travel] = rise - ends.travel, -rise - ends.travel
+        values[first.axial] += 2.0 * ends.run * math.cos(ends.slope)
+        for clamp, sign in ((first, -1.0), (last, 1.0)):
+            self.loads.loads[clamp.axial] = sign * ends.pull
         self.assembly.sheave.turn_to(values, angle)
         self.system.constraint_values = values
+
+    def slope(self, q: Floats) -> float:
+        """Angle that the rope rises by at its first end, and falls by at its last one, the mean of both, radians."""
+        first, last = self.assembly.clamps
+        return 0.5 * (first.slope(q) - last.slope(q))
+
+    def strain(self, q: Floats) -> float:
+        """Of the straight rope."""
+        first, last = self.assembly.clamps
+        return float((q[last.axial] - q[first.axial]) / self.scene.length - 1.0)
 
     def set_viscosity(self, positions: float, directors: float) -> None:
         """Stabilisation: N/mm per node on positions, N mm per radian on directors, or tangents of cables."""

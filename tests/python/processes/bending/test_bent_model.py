@@ -9,6 +9,7 @@ from mpi4py import MPI
 
 from braidx.geometry import build_rope
 from braidx.processes.bending.clamp import Clamp, ClampTerm
+from braidx.processes.bending.ends import Ends
 from braidx.processes.bending.model import BentRope
 from braidx.processes.bending.stretches import stretches_of
 from braidx.processes.bending.yarn_states import axial_stress, centre_lines
@@ -40,7 +41,7 @@ def test_tangent_is_the_derivative_of_the_residual(name):
     model = bent_rope(*MODELS[name])
     system, contact = model.system, model.contact
     rng = np.random.default_rng(4)
-    model.move(0.2, 10.0, 0.01)
+    model.move(Ends(0.2, 10.0, 0.3, 0.2), 0.01)
     model.set_viscosity(2.0, 30.0)
     free = system.free_values(model.start)
     q = system.expand(free + 1e-3 * rng.standard_normal(len(free)))
