@@ -15,6 +15,7 @@ from .energy_balance import MotionStep
 from .inertia import Scheme
 from .path import NotConverged
 from .rod import Beam, Cable, Rod, Solid
+from .rigid import Cylinder, Plane, Sheave
 from .rods import Rods
 from .shapes import arc, curve, helix, ring, straight
 
@@ -22,11 +23,14 @@ __all__ = [
     "Beam",
     "BeamSection",
     "Cable",
+    "Cylinder",
     "MotionStep",
     "NotConverged",
+    "Plane",
     "Rod",
     "Rods",
     "Scheme",
+    "Sheave",
     "Solid",
     "YarnMaterial",
     "arc",

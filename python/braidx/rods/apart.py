@@ -11,6 +11,7 @@ from ..solver.increment import Increment
 from ..solver.trial import Diverged
 from ..system.terms import Floats
 from .equilibria import Equilibria
+from .friction import without_friction
 from .layout import Layout
 from .overlap import overlaps
 from .passing import Chords
@@ -50,17 +51,16 @@ def push_apart(equilibria: Equilibria, layout: Layout, contact: Contact, q: Floa
         return q
     what = f"rods {names[a]} and {names[b]} begin {depth:.3g} mm in each other"
     LOGGER.info("%s: rods are pushed apart before the first increment", what)
-    friction, contact.laws.friction = contact.laws.friction, [0.0]
 
     def grow(begin: float, end: float, before: Floats) -> Increment:
         contact.set_radius(radius * (1.0 - (1.0 - end) * deepest))
         return equilibria.find(state[0], state[0] + before, 0.0)
 
     state = [q]
+    count = int(np.ceil(deepest / GROWTH))
     try:
-        follow(
-            grow, q, int(np.ceil(deepest / GROWTH)), 4, lambda found, _: state.insert(0, found.q)
-        )
+        with without_friction(contact):
+            follow(grow, q, count, 4, lambda found, _: state.insert(0, found.q))
     except NotConverged as failure:
         cause = failure.__cause__ if isinstance(failure.__cause__, Diverged) else failure
         raise NotConverged(
@@ -68,7 +68,6 @@ def push_apart(equilibria: Equilibria, layout: Layout, contact: Contact, q: Floa
         ) from failure
     finally:
         contact.set_radius(radius)
-        contact.laws.friction = friction
     _forget_slip(contact)
     return state[0]
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import numpy.typing as npt
 from mpi4py import MPI
 
 from ..contact.contact import Contact
 from ..contact.tubes import TubeLayout
 from .layout import Layout
+from .rigid import FIRST_BODY
 
 REGULARISATION = 1e-4  # of the radius: gap over which the normal force sets in
 REVERSIBLE_SLIP = 1e-3  # of the radius
@@ -32,7 +34,11 @@ def make_contact(
     """
     if self_contact is not None:
         _refuse_open_rings(layout)
-    tubes, skins = replace(layout.tubes, round_ends=True), layout.skins
+    rods, num_tubes = layout.surface_rods, len(layout.tubes.radius)
+    bodies = FIRST_BODY + rods
+    tubes, skins = replace(layout.tubes, round_ends=True, body=bodies[:num_tubes]), layout.skins
+    if skins is not None:
+        skins = replace(skins, body=bodies[num_tubes:])
     if not each_other:
         tubes = replace(tubes, group=0 * tubes.num_elements)
         skins = None if skins is None else replace(skins, group=0 * skins.group)
@@ -44,6 +50,28 @@ def make_contact(
     contact.laws.regularisation = REGULARISATION * contact.min_radius
     contact.laws.reversible_slip = REVERSIBLE_SLIP * contact.min_radius
     return contact
+
+
+def keep_apart(contact: Contact, first: int, second: int) -> None:
+    """Two rods, or a rod and itself, do not touch from the next contact elements on."""
+    size = contact.laws.num_bodies
+    table = may_touch(contact).astype(int)
+    table[first, second] = table[second, first] = 0
+    everything = np.ones((size, size), dtype=int)
+    rods = slice(FIRST_BODY, FIRST_BODY + len(table))
+    everything[rods, rods] = table
+    contact.pairing.num_bodies, contact.pairing.may_touch = size, everything.ravel().tolist()
+
+
+def may_touch(contact: Contact) -> npt.NDArray[np.bool_]:
+    """Whether joints let two rods touch, shape (num_rods, num_rods)."""
+    tubes, skins = contact.layout.body, contact.skins
+    num_rods = len(tubes) + (0 if skins is None else len(skins.body))
+    if not len(contact.pairing.may_touch):
+        return np.ones((num_rods, num_rods), dtype=bool)
+    table = np.array(contact.pairing.may_touch, dtype=bool).reshape(contact.laws.num_bodies, -1)
+    rods = slice(FIRST_BODY, FIRST_BODY + num_rods)
+    return np.asarray(table[rods, rods])
 
 
 def _refuse_open_rings(layout: Layout) -> None:

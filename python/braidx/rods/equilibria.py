@@ -20,6 +20,8 @@ from ..system.terms import BodyTerm, Floats, LoadTerm, Term
 from .couples import CoupleTerm
 from .first_guess import FOLDED, FOLLOWED, follow_supports, refuse_folds
 from .folded import refuse_folded, refuse_kinked
+from .frames import RigidTerm
+from .friction import without_friction
 from .held_ends import HeldEnds
 from .inertia import InertiaTerm
 from .layout import Layout
@@ -72,6 +74,7 @@ class Equilibria:
         self._inertia = inertia
         terms: list[Term] = [BodyTerm(body, int(first)) for body, first in bodies]
         terms += [self._contact, self._proximal, self._dead, self._couples]
+        terms += [RigidTerm(self._layout.frames, self._comm.rank)]
         terms += [] if inertia is None else [inertia]
         self.system = GlobalSystem(self._comm, terms, self._supports.constraints(), np.zeros(size))
         self._newton = Newton(self.system, self._newton_options, self._layout.is_director)
@@ -261,13 +264,11 @@ class Equilibria:
 
     def friction(self, q: Floats) -> Floats:
         """Forces of friction on the rods at the state accepted last, shape (num_unknowns,), N and N mm."""
-        laws, friction = self._contact.laws, self._contact.laws.friction
-        if not any(friction):
+        if not any(self._contact.laws.friction):
             return np.zeros(q.size)
         everything = self._residual_of(q, [self._contact])
-        laws.friction = [0.0 for _ in friction]
-        normal = self._residual_of(q, [self._contact])
-        laws.friction = friction
+        with without_friction(self._contact):
+            normal = self._residual_of(q, [self._contact])
         return normal - everything
 
     def stop(self, q: Floats, share: float) -> None:
@@ -284,9 +285,7 @@ class Equilibria:
         self.system.set_state(q)
         residual = self.system.residual()
         self.system.terms = everything
-        for dependent in self._layout.dependents:
-            dependent.fold(residual)
-        return residual
+        return self._supports.fold(residual)
 
     def _ask_for(self, share: float) -> None:
         """Sets supports and loads to a share of the way."""

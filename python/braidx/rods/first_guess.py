@@ -9,6 +9,7 @@ from ..solver.mumps import solve_once
 from ..solver.trial import Diverged
 from ..system.global_system import GlobalSystem
 from ..system.terms import Floats
+from .friction import without_friction
 from .layout import Layout
 
 # Of the distance of two nodes, what has to be left of it along the line where they were. Beams squeezed by more than
@@ -39,16 +40,13 @@ def follow_supports(
     asked: Floats = system.expand(system.free_values(first)) - first
     if not asked.any():
         return first
-    friction, contact.laws.friction = contact.laws.friction, [0.0]
-    try:
+    with without_friction(contact):
         system.update_pattern()
         system.set_state(start)
         system.set_step(np.zeros_like(start))
         system.assemble_tangent()
         right = system.vector.duplicate()
         system.scatter(system.constraints.reduce(system.tangent_times(asked)), right)
-    finally:
-        contact.laws.friction = friction
     moved = solve_once(system.matrix, right)
     follows = system.constraints.transform @ system.gather(moved)
     if not np.abs(follows[~layout.is_director]).max() <= FARTHEST * _reach(layout, asked):

@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 from ..contact.contact import Contact
 from ..system.terms import Floats, Ints
 from .chords import chord_distances
+from .contact import may_touch
 from .layout import Layout
 from .overlap import HIDDEN
 from .passing import NEAR
@@ -103,6 +104,7 @@ class HeldEnds:
         along = np.abs(self._arcs[a] - self._arcs[b])
         may = np.minimum(along, self._around[a] - along) > exclusion
         may[~same] = self._contact.layout.group is None
+        may &= may_touch(self._contact)[self._rods[a], self._rods[b]]
         return a[may], b[may]
 
     def _apart(self, q: Floats, a: Ints, b: Ints) -> Floats:

@@ -6,7 +6,7 @@ Unknowns are numbered body by body, rod by rod, node by node; sections of solids
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,10 +18,14 @@ from ..contact.skins import SkinLayout
 from ..contact.tubes import TubeLayout
 from ..system.terms import Floats, Ints
 from .closed import Joints, check_rings
+from .frames import SIZE, Frame
 from .make_bodies import make_body
 from .rod import Beam, Cable, Rod, Solid
 from .sections import SolidSections
 from .surfaces import skins_of, tubes_of
+
+
+Nodes = int | slice | Sequence[int]
 
 
 @dataclass(frozen=True)
@@ -44,6 +48,7 @@ class Layout:
         sections: Of each solid, by number of the rod.
         joints: Of closed rods.
         place: Body, and curve or part in it, of each rod, shape (num_rods, 2).
+        frames: Rigid bodies that nodes are part of; their numbers follow those of the rods.
         round_off: Norm of what round-off of positions leaves of internal forces, N: no residual gets smaller.
     """
 
@@ -65,6 +70,7 @@ class Layout:
     joints: Joints
     place: Ints
     round_off: float
+    frames: tuple[Frame, ...] = ()
 
     @property
     def dependents(self) -> list[SolidSections | Joints]:
@@ -74,13 +80,19 @@ class Layout:
     def unknowns(self, rod: int, nodes: int | slice | Sequence[int]) -> Ints:
         """Unknowns of nodes of a rod, shape (n, block); nodes may count from the end.
 
-        The last node of a closed rod is its first one.
+        The last node of a closed rod is its first one. A frame has one node, of 12 unknowns.
 
         Raises:
             IndexError: If there is no such rod or node.
         """
-        if not 0 <= rod < len(self.first):
-            raise IndexError(f"rod {rod}: there are rods 0 to {len(self.first) - 1}")
+        num_rods = len(self.first)
+        if num_rods <= rod < num_rods + len(self.frames):
+            return self.frames[rod - num_rods].unknowns[np.atleast_1d(np.arange(1)[nodes])]
+        if not 0 <= rod < num_rods:
+            joined = f", rigid groups and joints to {num_rods + len(self.frames) - 1}"
+            raise IndexError(
+                f"rod {rod}: there are rods 0 to {num_rods - 1}{joined if self.frames else ''}"
+            )
         chosen = np.atleast_1d(np.arange(self.num_nodes[rod])[nodes])
         if rod in self.joints.rods:
             chosen %= self.num_nodes[rod] - 1
@@ -102,6 +114,22 @@ class Layout:
                     f"node {node} of rod {rod} cannot be held: of a solid hold the ends, 0 and -1"
                 )
         return unknowns
+
+
+def with_frame(layout: Layout, frame: Frame) -> Layout:
+    """The layout with one more frame, whose unknowns come after all others."""
+    is_director = np.arange(SIZE) >= 3
+    none = np.zeros(SIZE)
+    return replace(
+        layout,
+        rest=np.append(layout.rest, frame.rest),
+        lengths=np.append(layout.lengths, none),
+        mass=np.append(layout.mass, none),
+        is_director=np.append(layout.is_director, is_director),
+        # Products of its directors, of size 1, are as exact as numbers are.
+        round_off=float(np.hypot(layout.round_off, 4.0 * np.finfo(float).eps * frame.stiffness)),
+        frames=(*layout.frames, frame),
+    )
 
 
 def lay_out(comm: MPI.Comm, rods: Sequence[Rod]) -> Layout:

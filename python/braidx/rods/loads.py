@@ -21,6 +21,14 @@ class Loads:
         self._line: Floats = np.zeros(layout.rest.size)
         self._couples: dict[int, tuple[Floats, Floats]] = {}
 
+    def grow(self, layout: Layout) -> None:
+        """Unknowns were added after all others, without loads."""
+        none = np.zeros(layout.rest.size - self._now.size)
+        self._lengths = layout.lengths
+        self._now, self._nodal, self._line = (
+            np.append(part, none) for part in (self._now, self._nodal, self._line)
+        )
+
     def force(self, unknowns: Ints, force: Floats) -> None:
         """Force on each node, shape (3,), N."""
         self._nodal[unknowns[:, :3]] = force

@@ -13,6 +13,7 @@ from ..contact.contact import Contact
 from ..solver.trial import Diverged
 from ..system.terms import Floats, Ints
 from .chords import chord_distances
+from .contact import may_touch
 from .layout import Layout
 from .true_curve import curve_points
 
@@ -77,7 +78,7 @@ class Chords:
             faces, which others touch near the centre line, and count from a radius away from them.
         closed: Whether each chord's rod is, shape (num_chords,).
         self_exclusion: Radii along a rod within which it does not meet itself.
-        others: Whether a rod may meet others.
+        others: Whether a rod may meet others, shape (num_rods, num_rods).
     """
 
     positions: Ints
@@ -88,7 +89,7 @@ class Chords:
     kept: Floats
     closed: npt.NDArray[np.bool_]
     self_exclusion: float
-    others: bool
+    others: npt.NDArray[np.bool_]
 
     @classmethod
     def of(cls, layout: Layout, contact: Contact, *states: Floats) -> Chords:
@@ -102,7 +103,7 @@ class Chords:
         radius = layout.radius.copy()
         radius[layout.surface_rods[: len(contact.layout.radius)]] = contact.layout.radius
         exclusion = float(contact.pairing.search.self_exclusion)
-        others = contact.layout.group is None
+        others = may_touch(contact) & (contact.layout.group is None)
         kept = np.concatenate([_kept(layout, rod, parts[rod]) for rod in rods])
         closed = np.isin(rod, list(layout.joints.rods))
         return cls(
@@ -162,7 +163,8 @@ class Chords:
         round_joint = whole[self.rod[i]] - apart - length[i] - length[j]
         apart = np.where(self.closed[i], np.minimum(apart, round_joint), apart)
         may_itself = apart > self.self_exclusion * self.radius[i]
-        return np.where(self.rod[i] == self.rod[j], may_itself, self.others)
+        others = self.others[self.rod[i], self.rod[j]]
+        return np.where(self.rod[i] == self.rod[j], may_itself, others)
 
 
 def _kept(layout: Layout, rod: int, weights: sp.csr_matrix) -> Floats:

@@ -6,33 +6,35 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 from mpi4py import MPI
 
 from ..solver.increment import Increment, IncrementOptions
 from ..system.proximal import ProximalTerm
 from ..system.terms import Floats
 from .apart import push_apart
+from .boundary import Boundary
 from .contact import make_contact
 from .equilibria import Equilibria
 from .energy_balance import EnergyBalance, MotionStep
 from .inertia import InertiaTerm, Scheme
-from .given import numbers
-from .layout import lay_out
+from .friction import Friction
+from .frames import Frame
+from .joining import Joining
+from .layout import lay_out, with_frame
+from .linked import Linked
 from .loads import Loads
 from .motion import TimeSteps, make_inertia
 from .options import PATIENCE, newton_options
 from .path import NotConverged, follow
 from .placed import placed
+from .rigid import RigidSurface, make_rigid
 from .rod import Rod
 from .start import explained, take_off
-from .state import ALL, RodState
-from .supports import Motion, Supports
-
-Nodes = int | slice | Sequence[int]
+from .state import RodState
+from .supports import Supports
 
 
-class Rods(RodState):
+class Rods(Boundary, Joining, RodState):
     """Rods in contact with each other, with themselves and with rigid surfaces.
 
     Rods and their nodes go by number, nodes from the end by negative ones. What is held, pulled or moved between two
@@ -40,13 +42,13 @@ class Rods(RodState):
 
     Args:
         rods: Cables, beams and solids, at rest.
-        friction: Coefficient of friction.
+        friction: Coefficient of friction of all that touches; see `friction_between` for pairs.
         penalty: Per length of contact, N/mm per mm, to begin with; from the softest rod by default. Per area, where
             solids touch, it is over the smallest radius.
         penetration: Largest penetration over the radius of the thinnest rod, which penalties grow for. None: they stay.
         contact: Whether rods touch each other.
         self_contact: Distance along a cable or beam, in radii, from which on it may touch itself. None: never.
-        rigid: Rigid surfaces, from braidx_engine.make_plane, make_cylinder or make_sheave.
+        rigid: Rigid surfaces: Plane, Cylinder, Sheave, or objects of braidx_engine.
         spacing: Of places where contact is looked for, mm; half the shortest element by default, two radii at most.
         tolerance: Relative residual of an equilibrium.
         viscosity: Of a stabilisation of positions, N/mm per node, which lets go of what `solve` finds; slows motion.
@@ -77,7 +79,7 @@ class Rods(RodState):
         penetration: float | None = 0.01,
         contact: bool = True,
         self_contact: float | None = None,
-        rigid: Sequence[Any] = (),
+        rigid: Sequence[RigidSurface | Any] = (),
         spacing: float | None = None,
         tolerance: float = 1e-8,
         viscosity: float = 0.0,
@@ -91,99 +93,50 @@ class Rods(RodState):
         self.supports = Supports(self.layout.rest, self.layout.dependents)
         self.loads = Loads(self.layout)
         self.contact = make_contact(comm, self.layout, contact, self_contact, spacing)
-        self.contact.rigid = list(rigid)
-        self.contact.laws.friction = [friction]
+        self.contact.rigid = make_rigid(rigid, len(self.rods))
+        self._friction = Friction(self.contact, len(self.rods), rigid, friction)
         stiffness = penalty or min(rod.stiffness_across for rod in rods)
         self.contact.pairing.stiffness = stiffness
         self.contact.pairing.area_stiffness = stiffness / self.contact.min_radius
-        self.proximal = ProximalTerm(self.q.size, comm.rank)
         nodes = (self.layout.lengths > 0.0) & ~self.layout.is_director
-        self.proximal.viscosity[:] = np.where(nodes, viscosity, 0.0)
         self.time = self.friction_work = 0.0
         self.negative_pivots = 0
         self.penetration = None if penetration is None else penetration * self.contact.min_radius
         self._inertia: InertiaTerm | None = None
+        self._joined = []
         self.motion: list[MotionStep] = []
         newton = newton_options(self.layout, self.contact, tolerance, max_step, patience)
         options = IncrementOptions(pairing_tolerance=10 * tolerance, penetration=self.penetration)
+        self._options = newton, options
+        self._assemble(np.where(nodes, viscosity, 0.0))
+
+    def _assemble(self, viscosity: Floats) -> None:
+        """One system of all that there is, with a viscosity, shape (num_unknowns,)."""
+        self.proximal = ProximalTerm(self.q.size, self.comm.rank)
+        self.proximal.viscosity[:] = viscosity
         self._equilibria = Equilibria(
-            comm,
+            self.comm,
             self.layout,
             self.contact,
             self.proximal,
             self.supports,
             self.loads,
-            newton,
-            options,
+            *self._options,
         )
 
-    # What is held and moved
-
-    def hold(self, rod: int, nodes: Nodes = ALL, components: Any = ALL) -> None:
-        """Components of nodes stay where they are: 0 to 2 the position, 3 to 5 and 6 to 8 the directors.
-
-        Raises:
-            ValueError: If the rod is a solid and a node is none of its ends.
-        """
-        self.supports.hold(self.layout.unknowns_to_hold(rod, nodes)[:, components].ravel(), self.q)
-
-    def pin(self, rod: int, nodes: Nodes) -> None:
-        """Positions stay where they are; sections may turn."""
-        self.hold(rod, nodes, slice(0, 3))
-
-    def clamp(self, rod: int, nodes: Nodes) -> None:
-        """Positions and sections stay as they are."""
-        self.hold(rod, nodes)
-
-    def release(self, rod: int, nodes: Nodes, components: Any = ALL) -> None:
-        """What was held is free from now on."""
-        self.supports.release(self.layout.unknowns(rod, nodes)[:, components].ravel())
-
-    def hold_mean(self, places: Sequence[tuple[int, int]], components: Any = ALL) -> int:
-        """The mean position of nodes, given as (rod, node), or some components of it, stays where it is.
-
-        Returns:
-            Number of the group.
-        """
-        positions = [
-            self.layout.unknowns_to_hold(rod, node)[0, :3][components] for rod, node in places
-        ]
-        return self.supports.hold_mean(np.array(positions), self.q)
-
-    def move(
-        self,
-        rod: int,
-        nodes: Nodes,
-        by: npt.ArrayLike = (0.0, 0.0, 0.0),
-        turn: npt.ArrayLike = (0.0, 0.0, 0.0),
-        about: npt.ArrayLike | None = None,
-    ) -> None:
-        """Held nodes are turned by a rotation vector (radians) about a point or each about itself, then moved, mm."""
-        unknowns = self.layout.unknowns(rod, nodes)
-        centre = None if about is None else numbers("about", about, 3)
-        self.supports.move(Motion(unknowns, numbers("turn", turn, 3), centre, numbers("by", by, 3)))
-
-    def move_mean(self, group: int, by: npt.ArrayLike) -> None:
-        """The mean position of a group moves, mm; of a group of some components, by as many."""
-        self.supports.shift_mean(group, numbers("by", by, np.size(by)))
-
-    # What pulls
-
-    def force(self, rod: int, nodes: Nodes, force: npt.ArrayLike) -> None:
-        """Dead force on each of the nodes from the next equilibria on, N; it replaces the one before."""
-        self.loads.force(self.layout.unknowns(rod, nodes), numbers("force", force, 3))
-
-    def line_load(self, rod: int, load: npt.ArrayLike) -> None:
-        """Dead load per length at rest along a rod, N/mm, shape (3,); it replaces the one before."""
-        self.loads.line(self.layout.unknowns(rod, ALL), numbers("load", load, 3))
-
-    def couple(self, rod: int, node: int, couple: npt.ArrayLike) -> None:
-        """Couple on the section of a beam, its direction fixed in space, N mm; it replaces the one before.
-
-        Raises:
-            ValueError: If the rod is a cable, which has no sections.
-        """
-        self.loads.couple(self.layout.unknowns(rod, node), numbers("couple", couple, 3), rod)
+    def _grow(self, frame: Frame | None, links: Sequence[Linked]) -> None:
+        """See Joining."""
+        if self._inertia is not None:
+            raise ValueError("rods are in motion: join them before `run`, or `solve` in between")
+        rest = np.empty(0) if frame is None else frame.rest
+        self.supports.grow(rest, links)
+        if frame is not None:
+            self.layout = with_frame(self.layout, frame)
+        self.q = np.append(self.q, rest)
+        if self.contact.start.size:
+            self.contact.start = np.append(self.contact.start, rest)
+        self.loads.grow(self.layout)
+        self._assemble(np.append(self.proximal.viscosity, np.zeros(rest.size)))
 
     # Equilibria
 

@@ -54,12 +54,6 @@ class SolidSections:
         for followers, leaders, factors in self._follow:
             constraints.combine_each(followers, leaders, factors)
 
-    def fold(self, forces: Floats) -> None:
-        """Forces on what follows pass to what leads, in place, shape (num_unknowns,)."""
-        for followers, leaders, factors in self._follow:
-            np.add.at(forces, leaders, factors * forces[followers, None])
-            forces[followers] = 0.0
-
     def mass(self, lengths: Floats) -> tuple[Ints, Floats]:
         """Unknowns that have mass, and their masses, t and, on directors, t mm^2.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..system.terms import Floats, Ints
+from ..system.terms import Floats
 from .equilibria import Equilibria
 from .layout import Layout
 from .loads import Loads
@@ -57,24 +57,30 @@ def explained(
 
 
 def floats(layout: Layout, supports: Supports, rod: int) -> bool:
-    """Whether supports let a rod move as a whole, in some direction or about some axis."""
+    """Whether supports, joints and groups let a rod move as a whole, alone, in some direction or about some axis."""
+    modes = _rigid_modes(layout, rod)
+    constraints = supports.constraints()
+    lost = modes - constraints.transform @ modes[constraints.free]
+    return bool(_rank(lost[lost.any(axis=1)]) < _rank(modes[modes.any(axis=1)]))
+
+
+def _rigid_modes(layout: Layout, rod: int) -> Floats:
+    """Motions of a rod as a whole, shape (num_unknowns, 6)."""
     unknowns = layout.unknowns(rod, slice(None))
-    vectors = layout.rest[unknowns].reshape(len(unknowns), -1, 3)
-    arms = vectors - vectors[:, :1].mean(axis=0) * (np.arange(vectors.shape[1]) == 0)[:, None]
-    modes = np.zeros((*vectors.shape, 6))
-    modes[:, 0, :, :3] = np.eye(3)
+    positions, directors = unknowns[:, :3], unknowns[:, 3:].reshape(-1, 3)
+    if rod in layout.sections:
+        positions = np.concatenate(
+            [positions, layout.sections[rod].nodes.reshape(-1, 1) + np.arange(3)]
+        )
+    arms = layout.rest[positions] - layout.rest[positions].mean(axis=0)
+    size = float(np.abs(arms).max())
+    modes = np.zeros((layout.rest.size, 6))
     for axis, direction in enumerate(np.eye(3)):
-        modes[..., 3 + axis] = np.cross(direction, arms)
-    flat = modes.reshape(-1, 6) / np.array([1.0] * 3 + [np.abs(arms).max()] * 3)
-    rows = [flat[supports.is_held[unknowns].ravel()]]
-    for group in supports.groups:
-        rows += [_mean(flat, unknowns.ravel(), component) for component in group.T]
-    return bool(_rank(np.vstack(rows)) < _rank(flat))
-
-
-def _mean(modes: Floats, unknowns: Ints, component: Ints) -> Floats:
-    """How the mean of a group moves with the modes, shape (1, 6)."""
-    return np.asarray(modes[np.isin(unknowns, component)].sum(axis=0, keepdims=True))
+        modes[positions, axis] = direction
+        modes[positions, 3 + axis] = np.cross(direction, arms) / size
+        modes[directors, 3 + axis] = np.cross(direction, layout.rest[directors]) / size
+    modes[layout.joints.followers] = modes[layout.joints.leaders]
+    return modes
 
 
 def _rank(rows: Floats) -> int:

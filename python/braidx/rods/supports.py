@@ -11,7 +11,10 @@ from scipy.spatial.transform import Rotation
 from ..system.constraints import ConstraintMap, Constraints
 from ..system.terms import Floats, Ints
 from .closed import Joints
+from .linked import Linked
 from .sections import SolidSections
+
+Dependent = SolidSections | Joints | Linked  # what follows other unknowns, or has others follow it
 
 
 @dataclass(frozen=True)
@@ -52,14 +55,45 @@ class Supports:
         means: Values that held means have now, mm, one array of shape (num_components,) per group.
     """
 
-    def __init__(self, rest: Floats, dependents: Sequence[SolidSections | Joints] = ()) -> None:
-        self._dependents = dependents
+    def __init__(self, rest: Floats, dependents: Sequence[Dependent] = ()) -> None:
+        self._dependents = list(dependents)
+        self._following: ConstraintMap | None = None
         self.held = rest.copy()
         self.means: list[Floats] = []
-        self.is_held = np.zeros(rest.size, dtype=bool)
+        self.is_held: np.ndarray = np.zeros(rest.size, dtype=bool)
         self.groups: list[Ints] = []
         self._motions: list[Motion] = []
         self._shifts: list[tuple[int, Floats]] = []
+
+    def grow(self, rest: Floats, dependents: Sequence[Dependent]) -> None:
+        """Unknowns are added after all others, shape (n,), and what follows others.
+
+        Raises:
+            ValueError: If unknowns would follow each other in a circle.
+        """
+        before, held = self._dependents, self.held
+        self.held = np.append(held, rest)
+        self._dependents, self._following = [*before, *dependents], None
+        try:
+            self._resolved
+        except ValueError:
+            self.held, self._dependents, self._following = held, before, None
+            raise
+        self.is_held = np.append(self.is_held, np.zeros(rest.size, dtype=bool))
+
+    def follows(self, unknowns: Ints) -> np.ndarray:
+        """Whether unknowns follow others, shape as theirs."""
+        return np.isin(unknowns, self._resolved.free, invert=True)
+
+    def has_mean_of(self, unknowns: Ints) -> bool:
+        """Whether one of them is in a mean that is held."""
+        return any(np.isin(unknowns, group).any() for group in self.groups)
+
+    def fold(self, forces: Floats) -> Floats:
+        """Forces as they act on what follows nothing, shape (num_unknowns,)."""
+        out = np.zeros_like(forces)
+        out[self._resolved.free] = self._resolved.reduce(forces)
+        return out
 
     def hold(self, unknowns: Ints, q: Floats) -> None:
         """Unknowns stay where they are in the state q."""
@@ -117,14 +151,25 @@ class Supports:
 
     def constraints(self) -> ConstraintMap:
         """What the supports leave free."""
-        constraints = Constraints(self.held.size)
-        for dependent in self._dependents:
-            dependent.constrain(constraints)
+        constraints = self._followers()
         constraints.hold(np.flatnonzero(self.is_held))
         for group in self.groups:
             for component in group.T:
                 constraints.hold_mean(component)
         return constraints.resolve()
+
+    @property
+    def _resolved(self) -> ConstraintMap:
+        """What follows others, whatever is held."""
+        if self._following is None:
+            self._following = self._followers().resolve()
+        return self._following
+
+    def _followers(self) -> Constraints:
+        constraints = Constraints(self.held.size)
+        for dependent in self._dependents:
+            dependent.constrain(constraints)
+        return constraints
 
     def values(self, held: Floats, means: list[Floats]) -> Floats:
         """Inhomogeneous values of the constraints, shape (num_unknowns,)."""
