@@ -17,7 +17,7 @@ from .path import NotConverged
 from .rod import Beam, Cable, Rod, Solid
 from .rigid import Cylinder, Plane, Sheave
 from .rods import Rods
-from .shapes import arc, curve, helix, ring, straight
+from .shapes import arc, curve, graded, helix, ring, straight
 
 __all__ = [
     "Beam",
@@ -35,6 +35,7 @@ __all__ = [
     "YarnMaterial",
     "arc",
     "curve",
+    "graded",
     "helix",
     "ring",
     "straight",

@@ -16,8 +16,8 @@ from ..solver.stability import negative_pivots
 from ..solver.trial import Diverged
 from ..system.global_system import GlobalSystem
 from ..system.proximal import ProximalTerm
-from ..system.terms import BodyTerm, Floats, LoadTerm, Term
-from .couples import CoupleTerm
+from ..system.terms import BodyTerm, Floats, Term
+from .acting import ActingLoads
 from .first_guess import FOLDED, FOLLOWED, follow_supports, refuse_folds
 from .folded import refuse_folded, refuse_kinked
 from .frames import RigidTerm
@@ -69,17 +69,17 @@ class Equilibria:
         self._held_ends = HeldEnds(
             self._layout, self._contact, self._supports.is_held, self._options.penetration
         )
-        self._dead = LoadTerm(size, self._comm.rank)
-        self._couples = CoupleTerm(self._loads.directors(), self._comm.rank)
+        self._acting = ActingLoads(self._layout, self._loads, self._comm.rank)
         self._inertia = inertia
         terms: list[Term] = [BodyTerm(body, int(first)) for body, first in bodies]
-        terms += [self._contact, self._proximal, self._dead, self._couples]
+        terms += [self._contact, self._proximal, *self._acting.terms]
         terms += [RigidTerm(self._layout.frames, self._comm.rank)]
         terms += [] if inertia is None else [inertia]
         self.system = GlobalSystem(self._comm, terms, self._supports.constraints(), np.zeros(size))
         self._newton = Newton(self.system, self._newton_options, self._layout.is_director)
+        conservative = not self._loads.has_followers
         self._incrementer = Incrementer(
-            self._newton, self._contact, self._proximal, conservative=not self._loads.has_couples
+            self._newton, self._contact, self._proximal, conservative=conservative
         )
 
     def find(
@@ -106,14 +106,14 @@ class Equilibria:
                 self._newton.foresee(start, following)
                 fitting = following
         elements, viscosity = self._contact.elements.copy(), self._proximal.viscosity
-        self._newton.below_round_off = self._is_loaded()
+        self._newton.below_round_off = self._acting.moves(self.system.constraints)
         try:
             found = self._solve(start, fitting, elements)
             refuse_folded(self._layout, found.q)
             refuse_kinked(self._layout, found.q)
             refuse_passing(self._layout, self._contact, start, found.q, leap)
             self._warn_of_depth(found)
-            self._carried = self._dead.loads.copy()
+            self._carried = self._acting.dead.copy()
         except Diverged as failure:
             rods = self._layout.surface_rods
             failure.pairs = [(rods[a], rods[b] if b >= 0 else b) for a, b in failure.pairs]
@@ -157,7 +157,7 @@ class Equilibria:
         held = self._newton.residual(q)
         if np.any(self._proximal.viscosity) and held > self._options.pairing_tolerance:
             return Diverged(f"viscosity holds {held:.1e} of the forces", 0, 0)
-        if self._is_loaded() and self._is_lost(q - start):
+        if self._acting.moves(self.system.constraints) and self._is_lost(q - start):
             return Impossible(
                 f"forces of {self.system.force_scale:.2g} N at most are lost in the round-off of internal forces, "
                 f"{self._newton.norm:.2g} N: rods so stiff do not feel such loads; give larger ones"
@@ -166,15 +166,10 @@ class Equilibria:
 
     def _is_lost(self, way: Floats) -> bool:
         """Whether loads that have changed move rods by no more than the round-off of internal forces does."""
-        if np.array_equal(self._dead.loads, self._carried):
+        if np.array_equal(self._acting.dead, self._carried):
             return False
         unbalanced = self._newton.norm > LOST * self.system.force_scale
         return unbalanced and self._newton.step > LOST * float(np.linalg.norm(way))
-
-    def _is_loaded(self) -> bool:
-        """Whether loads act on anything that can move."""
-        moving = self.system.constraints.reduce(self._dead.loads)
-        return bool(moving.any() or self._couples.couples.any())
 
     def _warn_of_depth(self, found: Increment) -> None:
         """Tells of penetration that no penalty was raised for: what is held cannot give way."""
@@ -260,7 +255,7 @@ class Equilibria:
 
     def applied(self, q: Floats) -> Floats:
         """Loads and couples as they are at the state accepted last, shape (num_unknowns,), N and N mm."""
-        return -self._residual_of(q, [self._dead, self._couples])
+        return -self._residual_of(q, self._acting.terms)
 
     def friction(self, q: Floats) -> Floats:
         """Forces of friction on the rods at the state accepted last, shape (num_unknowns,), N and N mm."""
@@ -290,4 +285,4 @@ class Equilibria:
     def _ask_for(self, share: float) -> None:
         """Sets supports and loads to a share of the way."""
         self.system.constraint_values = self._supports.values(*self._supports.advanced(share))
-        self._dead.loads[:], self._couples.couples = self._loads.at(share)
+        self._acting.ask_for(share)

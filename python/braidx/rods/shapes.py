@@ -19,6 +19,29 @@ def straight(start: Sequence[float], end: Sequence[float], num_spans: int) -> Fl
     return np.asarray(np.linspace(start, end, num_spans + 1), dtype=np.float64)
 
 
+def graded(
+    start: Sequence[float], end: Sequence[float], num_spans: int, ratio: float, degree: int = 2
+) -> Floats:
+    """Nodes of a straight line whose elements grow by equal factors, shape (num_spans + 1, 3), mm.
+
+    Args:
+        ratio: Length of the last element over that of the first.
+        degree: Of the elements, which take as many spans of equal length.
+    Raises:
+        ValueError: If the ratio is not positive, or spans do not make whole elements.
+    """
+    if not (np.isfinite(ratio) and ratio > 0.0):
+        raise ValueError(f"ratio is {ratio}: give a positive one, 1 for equal elements")
+    if num_spans < 1 or num_spans % degree:
+        raise ValueError(
+            f"num_spans is {num_spans}: elements of degree {degree} take {degree} each"
+        )
+    elements = np.geomspace(1.0, ratio, num_spans // degree)
+    places = np.append(0.0, np.cumsum(elements.repeat(degree)))
+    a, b = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    return np.asarray(a + (places / places[-1])[:, None] * (b - a))
+
+
 def curve(point: Callable[[Floats], Floats], begin: float, end: float, num_spans: int) -> Floats:
     """Nodes of any curve, equally far from each other along it.
 

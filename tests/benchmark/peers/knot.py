@@ -135,7 +135,7 @@ def overhand_knot(
         knot.solve()
         viscosity /= 2.0
     knot.proximal.viscosity[:] = 0.0
-    knot.contact.laws.friction = [friction]
+    knot.friction_of(0, friction)
     return knot
 
 

@@ -40,10 +40,32 @@ def pressed_on_solid():
     return rods
 
 
+def joined():
+    """A beam with a cable hinged between two nodes, a welded bracket and a rigid end, under loads that follow."""
+    material = YarnMaterial.isotropic(2e3, 0.3)
+    beam = Beam(straight((0, 0, 0), (20, 0, 0), 8), 1.0, material)
+    stay = Cable(straight((6.2, 0, 0), (6.2, 12, 3), 4), 0.2, 1e4)
+    bracket = Beam(straight((15, 0, 0), (15, 0, 8), 4), 0.5, material)
+    rods = Rods([beam, stay, bracket], tolerance=1e-10)
+    rods.clamp(0, 0)
+    rods.pin(1, -1)
+    rods.hinge((1, 0), (0, 2.48))
+    rods.tie((2, 0), (0, 6))
+    end = rods.rigid([(0, -1)], centre=(20, 2, 0))
+    rods.force(end, 0, (1.0, 0.0, 0.5))
+    rods.couple(end, 0, (5.0, 0.0, 0.0))
+    rods.follower_force(2, -1, (0.1, 0.2, 0.3))
+    rods.pressure(0, -0.2)
+    rods.line_load(1, (0.01, 0.0, 0.0), at_once=True)
+    rods.solve(increments=2)
+    return rods
+
+
 def results():
     """What processes have to agree on."""
     found = {}
-    for name, rods in (("cables", pressed()), ("solid", pressed_on_solid())):
+    scenes = {"cables": pressed(), "solid": pressed_on_solid(), "joints": joined()}
+    for name, rods in scenes.items():
         found |= {
             f"{name}: q": rods.q,
             f"{name}: reaction": np.concatenate(rods.reaction(0, 0)),
