@@ -20,7 +20,7 @@ class ActingLoads:
     """
 
     def __init__(self, layout: Layout, loads: Loads, rank: int) -> None:
-        self._loads = loads
+        self._loads, self._layout = loads, layout
         self._dead = LoadTerm(layout.rest.size, rank)
         self._couples = CoupleTerm(loads.couples.keys[:, None] + np.arange(6), rank)
         self._followers = FollowerForceTerm(loads.followers.keys[:, None] + np.arange(9), rank)
@@ -40,6 +40,21 @@ class ActingLoads:
     def dead(self) -> Floats:
         """Dead loads, shape (num_unknowns,), N."""
         return self._dead.loads
+
+    def tell_stability(self, is_held: np.ndarray) -> bool:
+        """Whether negative pivots tell of instability under these loads: forces that follow have no potential.
+
+        Pressure has one on rings and between ends that are held.
+
+        Args:
+            is_held: Unknowns that are held, shape (num_unknowns,).
+        """
+        if self._followers.forces.any():
+            return False
+        rods = self._loads.pressures.keys[self._pressures.pressures.any(axis=1)]
+        closed = self._layout.joints.rods
+        ends = [self._layout.unknowns(int(rod), [0, -1])[:, :3] for rod in set(rods) - closed]
+        return all(is_held[unknowns].all() for unknowns in ends)
 
     def moves(self, constraints: ConstraintMap) -> bool:
         """Whether loads act on anything that can move."""

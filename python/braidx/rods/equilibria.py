@@ -193,8 +193,11 @@ class Equilibria:
     def negative_pivots(self, q: Floats) -> int:
         """Directions in which the state q accepted last is unstable, without stabilisation; a warning tells of them.
 
-        Friction counts with the normal forces that it has there: so it has a potential.
+        Friction counts with the normal forces that it has there: so it has a potential. Under loads without one it is
+        0.
         """
+        if not self._acting.tell_stability(self._supports.is_held):
+            return 0
         viscosity, symmetrised = self._proximal.viscosity, self._contact.symmetrised
         self._proximal.viscosity, self._contact.symmetrised = np.zeros(q.size), True
         try:

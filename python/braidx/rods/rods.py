@@ -66,7 +66,8 @@ class Rods(Boundary, Joining, RodState):
         penetration: Largest that is accepted, mm, or None.
         time: Of the last one, s.
         friction_work: Dissipated until now, mJ.
-        negative_pivots: Directions in which the state that `solve` found is unstable; a warning tells of them.
+        negative_pivots: Directions in which the state that `solve` found is unstable; a warning tells of them. Not
+            counted, and 0, under forces that follow sections, and pressure on rods with free ends.
         motion: Steps of `run` since the last `solve`, with their balances of energy.
     """
 

@@ -92,15 +92,36 @@ def test_a_cable_under_pressure_is_a_circle():
     assert tension == pytest.approx(load * radius * np.ones(8), rel=1e-3)
 
 
-def test_a_ring_under_inner_pressure():
-    """N = p R, and R grows by N / EA: a closed beam, held from moving as a whole."""
-    radius, load = 20.0, 5.0
+def pressed_ring(radius, load):
+    """A ring under a pressure from inside, held from moving as a whole."""
     rods = Rods([Beam(ring(radius, 24), RADIUS, STEEL, closed=True)])
     rods.hold_mean([(0, node) for node in range(24)], [0])
     rods.hold(0, [0, 12], [1])
     rods.hold(0, slice(None), [2])
     rods.pressure(0, load, axis=(0, 0, -1))
     rods.solve()
+    return rods
+
+
+@pytest.mark.parametrize("share, unstable", [(0.95, 0), (1.05, 2)])
+def test_a_ring_under_outer_pressure_buckles(share, unstable):
+    """p = 3 EI / R^3 (Levy, 1884), by two modes, cos 2a and sin 2a: a turn makes up for what the held nodes take."""
+    rods = pressed_ring(20.0, -share * 3.0 * BENDING / 20.0**3)
+    assert rods.negative_pivots == unstable
+
+
+def test_forces_that_follow_do_not_tell_of_stability():
+    """A force across the end section has no potential; the cantilever under it is stable."""
+    rods = cantilever(4)
+    rods.follower_force(0, -1, in_section(rods, np.array([0.0, 4.0 * BENDING / LENGTH**2, 0.0])))
+    rods.solve(increments=4)
+    assert rods.negative_pivots == 0
+
+
+def test_a_ring_under_inner_pressure():
+    """N = p R, and R grows by N / EA."""
+    radius, load = 20.0, 5.0
+    rods = pressed_ring(radius, load)
     stiffness = 200e3 * np.pi * RADIUS**2
     assert rods.tension(0) == pytest.approx(load * radius * np.ones(12), rel=2e-3)
     grown = np.linalg.norm(rods.positions(0)[:-1, :2], axis=1).mean() - radius
