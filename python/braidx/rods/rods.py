@@ -29,7 +29,7 @@ from .path import NotConverged, follow
 from .placed import placed
 from .rigid import RigidSurface, make_rigid
 from .rod import Rod
-from .start import explained, take_off
+from .start import explained, refuse_idle_groups, take_off
 from .state import RodState
 from .supports import Supports
 
@@ -125,6 +125,10 @@ class Rods(Boundary, Joining, RodState):
             *self._options,
         )
 
+    def _prepare(self, inertia: InertiaTerm | None = None) -> None:
+        self._equilibria.prepare(inertia)
+        refuse_idle_groups(self.layout, self._equilibria.system.constraints)
+
     def _grow(self, frame: Frame | None, links: Sequence[Linked]) -> None:
         """See Joining."""
         if self._inertia is not None:
@@ -159,13 +163,14 @@ class Rods(Boundary, Joining, RodState):
                 turn as little as they can. The way there may go through other rods.
             observe: Called after each increment with the share of the way that is done.
         Raises:
+            ValueError: If a rigid group can turn without moving a node.
             NotConverged: If no equilibrium is found; the state is the last one that was, motions and loads stay there.
 
         Rods that are in each other at the start are pushed apart first. What nothing balances at the start is taken off
         evenly on the way.
         """
         self._inertia, self.motion = None, []
-        self._equilibria.prepare()
+        self._prepare()
         if self.penetration is not None:
             self.q = push_apart(self._equilibria, self.layout, self.contact, self.q)
         self._start = take_off(self._equilibria, self.layout, self.loads, self.q)
@@ -208,7 +213,7 @@ class Rods(Boundary, Joining, RodState):
         last = self._inertia
         inertia = make_inertia(self.rods, self.layout.mass, scheme, velocity, last, self.comm.rank)
         self._inertia, self._start = inertia, ""
-        self._equilibria.prepare(inertia)
+        self._prepare(inertia)
         credit = sum(step.numerical_dissipation for step in self.motion)
         balance = EnergyBalance(self._equilibria, self.layout, self.contact, credit)
         steps = TimeSteps(self._equilibria, self.contact, inertia, balance, duration)

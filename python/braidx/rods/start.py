@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..system.constraints import ConstraintMap
 from ..system.terms import Floats
+from .chords import TINY
 from .equilibria import Equilibria
 from .layout import Layout
 from .loads import Loads
@@ -62,6 +64,29 @@ def floats(layout: Layout, supports: Supports, rod: int) -> bool:
     constraints = supports.constraints()
     lost = modes - constraints.transform @ modes[constraints.free]
     return bool(_rank(lost[lost.any(axis=1)]) < _rank(modes[modes.any(axis=1)]))
+
+
+def refuse_idle_groups(layout: Layout, constraints: ConstraintMap) -> None:
+    """Refuses rigid groups that can turn without moving a node, as about a line that their nodes are all on.
+
+    Raises:
+        ValueError: The message names the group.
+    """
+    for number, frame in enumerate(layout.frames):
+        own = frame.unknowns[0]
+        turns = np.zeros((layout.rest.size, 6))
+        for axis, direction in enumerate(np.eye(3)):
+            turns[own[3:], axis] = np.cross(direction, frame.rest[3:].reshape(3, 3)).ravel()
+        # Where nodes are on a line beside the centre, the centre moves, too.
+        turns[own[:3], 3:] = np.eye(3)
+        seen = constraints.transform @ turns[constraints.free]
+        seen[own] -= turns[own]
+        rows = seen[seen.any(axis=1)]
+        if len(rows) == 0 or _rank(rows / np.abs(rows).max(axis=0, initial=TINY)) < turns.shape[1]:
+            raise ValueError(
+                f"the rigid group {len(layout.first) + number} can turn without moving its nodes: hold its directors, "
+                "components 3 to 11, or put a section or a node off the line of the others into it"
+            )
 
 
 def _rigid_modes(layout: Layout, rod: int) -> Floats:

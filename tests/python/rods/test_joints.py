@@ -164,6 +164,7 @@ def test_bad_joints_are_named():
     with pytest.raises(IndexError, match="rod 2: there are rods 0 to 1"):
         rods.hinge((0, -1), (2, 0))
     group = rods.rigid([(1, -1)])
+    rods.hold(group, 0, slice(3, 12))
     with pytest.raises(
         ValueError, match="2 is a rigid group: make nodes that follow it part of it"
     ):

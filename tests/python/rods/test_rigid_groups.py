@@ -113,6 +113,23 @@ def test_a_group_at_an_arm_bends_a_cantilever(model):
         assert turned == pytest.approx(arm * k * np.tanh(k * 20.0), rel=1e-4)
 
 
+@pytest.mark.parametrize("count, idle", [(1, True), (2, True), (3, False)])
+def test_groups_that_may_spin_idly_are_refused(count, idle):
+    """Of ends of cables: one, two on a line, three that are not."""
+    lines = [straight((0, *at), (LENGTH, *at), 2) for at in CORNERS[:count]]
+    rods = Rods([Cable(x, 0.5, STIFFNESS, tension=1.0) for x in lines])
+    for rod in range(count):
+        rods.pin(rod, 0)
+    group = rods.rigid([(rod, -1) for rod in range(count)])
+    rods.force(group, 0, (9.0, 0.0, 0.0))
+    if idle:
+        with pytest.raises(ValueError, match=f"the rigid group {group} can turn without moving"):
+            rods.solve()
+        rods.hold(group, 0, slice(3, 12))
+    rods.solve()
+    assert sum(rods.tension(rod)[0] for rod in range(count)) == pytest.approx(9.0, rel=1e-5)
+
+
 def test_bad_groups_are_named():
     def rods():
         lines = [straight((0, y, 0), (9, y, 0), 4) for y in (0.0, 3.0)]
