@@ -39,8 +39,8 @@ def fibres(x: Lookup) -> Paragraphs:
     coarse = {"degree": 1, "spans": 40}
     return [
         f"**Degree.** With the same 40 spans between nodes, degree 2 has an error of {x.error()}, degree 1 of "
-        f"{x.error(**coarse)}, at the same cost. Only with 10 spans a turn, 36° each, is degree 1 ahead "
-        f"({x.error(degree=1, spans=10)} against {x.error(spans=10)}).",
+        f"{x.error(**coarse)}, at the same cost. With 10 spans a turn, 36° each, they have "
+        f"{x.error(spans=10)} and {x.error(degree=1, spans=10)}.",
         f"**Worst place.** The load per length at its worst place is off by {x.of(worst)} with 40 spans of degree "
         f"2, and by {x.of(worst, **coarse)} with degree 1, though its median is right to "
         f"{x.of('load per length', **coarse)}: where a local load counts take degree 2, or look at more than one "
