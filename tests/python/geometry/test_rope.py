@@ -56,7 +56,9 @@ def test_the_lay_of_a_straight_strand(lay, sense):
     turn = np.unwrap(np.arctan2(line[:, 1], line[:, 0]))
     assert turn[-1] - turn[0] == pytest.approx(sense * 3 * 2.0 * np.pi)
     assert turn[1] - turn[0] == pytest.approx(sense * 2.0 * np.pi / nodes_in_a_turn)
-    c = 1.0 - np.cos(2.0 * np.pi / nodes_in_a_turn)  # see test_touching_yarns.py for the rest of the radius
+    c = 1.0 - np.cos(
+        2.0 * np.pi / nodes_in_a_turn
+    )  # see test_touching_yarns.py for the rest of the radius
     outside = 1.0 / np.sqrt(1.0 - c**2 / 4.0)
     radius = touching_radius(6, 0.5, True, 20.0) * outside
     assert np.allclose(np.hypot(line[:, 0], line[:, 1]), radius, rtol=1e-12)
