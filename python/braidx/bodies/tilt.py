@@ -14,6 +14,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from ..system.terms import block_pattern
 from .layout import CurveLayout, FloatArray, IntArray
 
 SHARE = 0.1  # of the shear stiffness
@@ -83,10 +84,7 @@ class SectionTilt:
 
     def tangent_pattern(self) -> tuple[IntArray, IntArray]:
         """See Term."""
-        shape = (len(self._unknowns), 12, 12)
-        rows = np.broadcast_to(self._unknowns[:, :, None], shape)
-        cols = np.broadcast_to(self._unknowns[:, None, :], shape)
-        return rows.ravel(), cols.ravel()
+        return block_pattern(self._unknowns, self._unknowns)
 
     def tangent_values(self) -> npt.NDArray[np.float64]:
         """See Term."""

@@ -13,6 +13,7 @@ from mpi4py import MPI
 from ..geometry import build_rope
 from ..output.log import LOGGER
 from ..output.summary import PhaseCost
+from ..scene.effects import bends
 from ..scene import (
     Bend,
     BendCycles,
@@ -90,10 +91,10 @@ def run(scene: Scene, folder: Path, resume: bool = False) -> dict[str, Any]:
 
 def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -> None:
     model: RopeModel | BentRope | None = None
-    bends = any(isinstance(step, Bend) for step in scene.steps)
+    is_bent = bends(scene)
     while state.step < len(scene.steps):
         step = scene.steps[state.step]
-        if bends and not isinstance(step, Form) and state.model != BENT:
+        if is_bent and not isinstance(step, Form) and state.model != BENT:
             state, model = clamped(scene, state), None
         elif state.forms and not isinstance(step, Form):
             force = 1e3 * step.force if isinstance(step, Settle) else REST_FORCE
@@ -105,7 +106,7 @@ def _run_steps(comm: MPI.Comm, scene: Scene, state: State, recorder: Recorder) -
             model = make_model(comm, scene, state)
         recorder.begin(step, model)
         clock = time.perf_counter()
-        follow = PULL_CLAMPED if bends and isinstance(step, Pull) else STEPS[type(step)]
+        follow = PULL_CLAMPED if is_bent and isinstance(step, Pull) else STEPS[type(step)]
         for outcome in _named(follow(model, state, step), state.increment):
             seconds = time.perf_counter() - clock
             state = _counted(outcome, state, step, seconds)

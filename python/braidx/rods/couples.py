@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..system.terms import Floats, Ints
+from ..system.terms import Floats, Ints, block_pattern
 
 
 class CoupleTerm:
@@ -42,10 +42,7 @@ class CoupleTerm:
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
-        shape = (len(self._unknowns), 6, 6)
-        rows = np.broadcast_to(self._unknowns[:, :, None], shape)
-        cols = np.broadcast_to(self._unknowns[:, None, :], shape)
-        return rows.ravel(), cols.ravel()
+        return block_pattern(self._unknowns, self._unknowns)
 
     def tangent_values(self) -> Floats:
         """See Term."""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..system.terms import Floats, Ints
+from ..system.terms import Floats, Ints, block_pattern
 
 # Integrals of N_i dN_j over an element, by its degree.
 SHAPES = {
@@ -47,10 +47,7 @@ class FollowerForceTerm:
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
-        shape = (len(self._unknowns), 3, 6)
-        rows = np.broadcast_to(self._unknowns[:, :3, None], shape)
-        cols = np.broadcast_to(self._unknowns[:, None, 3:], shape)
-        return rows.ravel(), cols.ravel()
+        return block_pattern(self._unknowns[:, :3], self._unknowns[:, 3:])
 
     def tangent_values(self) -> Floats:
         """See Term: the change of way / |way| by the directors."""
@@ -121,10 +118,7 @@ class PressureTerm:
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
-        shape = (len(self._rows), 3, 3)
-        rows = np.broadcast_to(self._rows[:, :, None], shape)
-        cols = np.broadcast_to(self._cols[:, None, :], shape)
-        return rows.ravel(), cols.ravel()
+        return block_pattern(self._rows, self._cols)
 
     def tangent_values(self) -> Floats:
         """See Term."""

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..system.terms import Floats, Ints
+from ..system.terms import Floats, Ints, block_pattern
 from .linked import Linked
 
 SIZE = 12  # unknowns of a frame
@@ -95,10 +95,8 @@ class RigidTerm:
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
-        shape = (len(self._unknowns), 3, 3, 3, 3)
-        rows = np.broadcast_to(self._unknowns[:, :, :, None, None], shape)
-        cols = np.broadcast_to(self._unknowns[:, None, None, :, :], shape)
-        return rows.ravel(), cols.ravel()
+        unknowns = self._unknowns.reshape(len(self._unknowns), 9)
+        return block_pattern(unknowns, unknowns)
 
     def tangent_values(self) -> Floats:
         """See Term."""

@@ -82,9 +82,8 @@ def _check_straight(scene: SceneTables, kind: str, i: int) -> None:
 
 def _check_models(scene: SceneTables) -> None:
     named = {f"yarn.models.{number}": model for number, model in scene.yarn.models.items()}
-    bends = any(isinstance(step, Bend) for step in scene.steps)
     for key, model in {"yarn.model": scene.yarn.model, **named}.items():
-        if model in SOLID and not bends:
+        if model in SOLID and not bends(scene):
             cure = 'only ropes that are bent have such yarns; use cable or beam, or add a step kind = "bend".'
             raise SceneError(key, cure, model)
         if model == "mixed":

@@ -12,6 +12,18 @@ Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 
+def block_pattern(rows: Ints, cols: Ints) -> tuple[Ints, Ints]:
+    """Rows and columns of the entries of n dense blocks, row by row, shape (n k m,) each.
+
+    Args:
+        rows, cols: Of each block, shapes (n, k) and (n, m).
+    """
+    shape = (len(rows), rows.shape[1], cols.shape[1])
+    row = np.broadcast_to(rows[:, :, None], shape)
+    col = np.broadcast_to(cols[:, None, :], shape)
+    return row.ravel(), col.ravel()
+
+
 class Term(Protocol):
     """A part of the residual (gradient of the energy, N) in engine numbering, and its derivative.
 

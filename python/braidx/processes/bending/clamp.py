@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...system.constraints import Constraints, Floats, Ints
+from ...system.terms import block_pattern
 
 SIZE = 9  # unknowns of a clamp
 
@@ -118,10 +119,7 @@ class ClampTerm:
 
     def tangent_pattern(self) -> tuple[Ints, Ints]:
         """See Term."""
-        shape = (len(self._unknowns), 3, 3)
-        rows = np.broadcast_to(self._unknowns[:, :, None], shape)
-        cols = np.broadcast_to(self._unknowns[:, None, :], shape)
-        return rows.ravel(), cols.ravel()
+        return block_pattern(self._unknowns, self._unknowns)
 
     def tangent_values(self) -> Floats:
         """See Term."""
