@@ -121,9 +121,7 @@ double deepest_penetration(const DeformableSurfaces& surfaces, const ContactElem
 NormalForces sum_normal_forces(const DeformableSurfaces& surfaces, const ContactElements& elements,
                                Unknowns q, Unknowns q_start, const ContactLaws& laws,
                                int num_threads) {
-    const auto force = parallel_map(elements.size(), num_threads, [&](std::size_t e) {
-        return reaction(surfaces, elements[e], q, q_start, laws).normal_force;
-    });
+    const auto force = normal_forces(surfaces, elements, q, q_start, laws, num_threads);
     NormalForces out;
     for (std::size_t e = 0; e < elements.size(); ++e) {
         out.all += force[e];
