@@ -103,6 +103,28 @@ def test_a_build_is_of_options_not_of_the_processor(tmp_path: Path) -> None:
     assert "BRAIDX_NATIVE" not in parts
 
 
+def test_a_source_older_than_its_build_is_built_again(tmp_path: Path) -> None:
+    """Whatever its time says, as where a cache is kept beside checkouts that are made anew."""
+    checkout, build = tmp_path / "checkout", tmp_path / "build"
+    for folder in (checkout / "contact_engine", checkout / "tests/cpp", build):
+        folder.mkdir(parents=True)
+    (checkout / "CMakeLists.txt").touch()
+    source = checkout / "contact_engine/forces.cpp"
+
+    def out_of_date() -> bool:
+        part = CHECKOUT / "python/braidx/cli/environment/build.sh"
+        script = f'. "{part}" && out_of_date all && mv "$build/all.started" "$build/all.built"'
+        variables = os.environ | {"checkout": str(checkout), "build": str(build)}
+        return subprocess.run(["bash", "-c", script], env=variables).returncode == 0
+
+    source.write_text("first", "utf-8")
+    assert out_of_date() and not out_of_date()
+    source.write_text("second", "utf-8")
+    os.utime(source, (0, 0))
+    assert out_of_date() and not out_of_date()
+    assert source.stat().st_mtime > 0
+
+
 def test_a_python_that_is_not_there_is_named(tmp_path: Path) -> None:
     for wrong, told in (("/nope", "there is no such program"), ("false", "is no Python")):
         done = launch("demo", BRAIDX_DRY_RUN="", BRAIDX_PYTHON=wrong, XDG_CACHE_HOME=str(tmp_path))

@@ -5,11 +5,21 @@ build_folder() {
     build=$cache/build/$(printf '%s\n' "$checkout" "$environment" "${BRAIDX_CMAKE_ARGS:-}" | sha1sum | cut -c 1-12)
 }
 
-# True if a source file or folder changed since the last build of the target: saves the start of Ninja.
+# Sources with their contents. Times tell nothing where a cache is older or newer than a checkout beside it.
+sources() {
+    find "$checkout/CMakeLists.txt" "$checkout/contact_engine" "$checkout/tests/cpp" -type f -exec sha1sum {} + | sort
+}
+
+# True if a source file changed since the last build of the target: saves the start of Ninja. Ninja goes by times, so that
+# those files are touched.
 out_of_date() {
-    [ -f "$build/$1.built" ] || return 0
-    find "$checkout/CMakeLists.txt" "$checkout/contact_engine" "$checkout/tests/cpp" -newer "$build/$1.built" \
-        2>/dev/null | grep -q .
+    local changed
+    sources >"$build/$1.started"
+    cmp -s "$build/$1.started" "$build/$1.built" && return 1
+    if [ -f "$build/$1.built" ]; then
+        mapfile -t changed < <(comm -23 "$build/$1.started" "$build/$1.built" | cut -c 43-)
+        [ ${#changed[@]} = 0 ] || touch -- "${changed[@]}" || stop "the sources in $checkout cannot be written"
+    fi
 }
 
 # build TARGET: braidx_engine, or all (with the C++ tests). Sets `build`, the folder that holds the module.
@@ -25,7 +35,6 @@ build() {
             { rm -f "$build/build.ninja"; stop "CMake failed (output above)"; }
     fi
     if out_of_date "$1"; then
-        touch "$build/$1.started"
         step "building ${1/#all/the engine and its C++ tests}" "${inside[@]}" ninja -C "$build" "$1" ||
             stop "the build failed (output above)"
         mv "$build/$1.started" "$build/$1.built"
