@@ -9,8 +9,11 @@ from ..bodies import BeamBody, CableBody
 from ..geometry import Rope, one_for_all
 from ..output.snapshot import Snapshot
 from ..scene import Scene
+from ..solver.continuation import Continuation
 from ..solver.increment import Incrementer
+from ..solver.linear import FactorisedTangent
 from ..solver.newton import Newton
+from ..solver.pseudo_transient import PseudoTransient
 from ..system.constraints import Floats
 from ..system.global_system import GlobalSystem
 from ..system.proximal import ProximalTerm
@@ -18,11 +21,14 @@ from ..system.terms import BodyTerm, LoadTerm, Term
 from .ends import Ends
 from .grouped_ends import GroupedEnds
 from .measurements import state_results
-from .newton_options import newton_options
+from .newton_options import UNSTRETCHED, newton_options, step_options
 from .rope_contact import elements_beyond, make_contact
 from .rope_picture import rope_picture
 from .state import State
 from .yarns import cable_turning, section_tilt, yarn_material
+
+
+SOLVES = 4  # times solver.max_iterations steps before an increment is cut
 
 
 class RopeModel:
@@ -33,7 +39,8 @@ class RopeModel:
         contact: Contact between them.
         ends: The two end sections.
         system: Global system of body, contact, loads and stabilisation.
-        incrementer: Solves one increment.
+        incrementer: Solves one increment of forming, with Newton's method.
+        continuation: Solves one increment of the formed rope.
         preload_energy: Elastic energy of the reference state, mJ.
     """
 
@@ -62,6 +69,16 @@ class RopeModel:
         self.system = GlobalSystem(comm, terms, *held)
         self.newton = Newton(self.system, newton_options(scene), self.directors)
         self.incrementer = Incrementer(self.newton, self.contact, self.proximal)
+        steps = PseudoTransient(
+            self.system,
+            self.proximal,
+            FactorisedTangent(self.system, scene.solver.petsc),
+            step_options(scene),
+            self.directors,
+            self.contact.lag,
+        )
+        most = SOLVES * scene.solver.max_iterations
+        self.continuation = Continuation(steps, self.contact, scene.solver.tolerance, most)
 
     @property
     def start(self) -> Floats:
@@ -86,6 +103,12 @@ class RopeModel:
     def set_viscosity(self, positions: float, directors: float = 0.0) -> None:
         """Stabilisation: N/mm per node on positions, N mm per radian on directors, or tangents of cables."""
         self.proximal.set_viscosity(self.directors, positions, directors)
+
+    def measure(self, tension: float) -> None:
+        """Gives steps of the continuation their metric: what yarns of a mean tension (N) resist across."""
+        length = float(self.body.rest_lengths().mean()) / self.body.layout.degree
+        tension = max(tension, UNSTRETCHED * self.scene.yarn.axial_stiffness)
+        self.set_viscosity(tension / length, tension * length)
 
     @property
     def copies(self) -> int:

@@ -15,22 +15,8 @@ from .model import RopeModel
 from .outcome import NotConverged
 from .state import State
 
-FULL = (
-    1e-3  # strain of the yarns, in the mean, from which on the stabilisation is what the scene says
-)
 SLACK = 1e-6  # mean strain below which yarns are slack
-HELD = 3e-4  # work of the stabilisation over the energy that an increment of pulling may leave, and
-HOLDABLE = 1e-3  # that it may where it cannot let go: all of a pull leave less than 1 % in the end
-RESTS = 20  # increments at the same strain until then
-UNBALANCED = 5e-3  # relative residual without the stabilisation that is left then, and
-LOST = 0.04  # most of the energy that it may take on the way
-HARD, EASY = 20, 8  # Newton iterations of an increment on the way to rest, and
-CALM = 4.0  # factor on the stabilisation then, and
-CALMEST = 4.0**-4  # the least that it becomes
-IN_VAIN = 15  # contact updates in a row that come no nearer; of increments that are found most take less than 10
-LEAST_ENERGY = 1e-12  # mJ; slack yarns have none
 EASED = 0.1  # least share of themselves that penalties fall to in an increment
-LEAST = 0.01  # share of it that is left where yarns are slack
 BENT = 1e-3  # of a yarn radius: distance from rigid that is left to a group of ends
 TURNS = 8  # repetitions of an increment in which bodies turn on
 GROWN = 1e-9  # what groups of ends are to reach is missed by less than this share
@@ -42,9 +28,6 @@ class Puller:
     Attributes:
         strain: Rope strain of the state.
         share: What is reached of what groups of ends ask for, 0 to 1.
-        calming: Factor on the stabilisation that the scene asks for.
-        releases: Whether the stabilisation lets go of states found.
-        rests: Whether a rope that it cannot let go of comes to rest, at the strain that it is pulled to.
         eases: Whether penalties fall with the tension of yarns, too, and do not only rise with it.
     """
 
@@ -52,18 +35,13 @@ class Puller:
         self.model, self.state = model, state
         self.strain = state.progress.get("strain", 0.0)
         self.share = state.progress.get("share", 0.0)
-        self.calming = state.progress.get("calming", 1.0)
-        self.releases = True
-        self.rests = True
         self.eases = False
         # Mean tension of the yarns that penalties are made for: they go with what is expected of increments.
         self._made_for = state.progress.get("tension", 0.0) or self._mean_tension(state.q)
         self._expected = self._made_for
         scene = model.scene
         penetration = scene.contact.penetration_tolerance * model.rope.radius.min()
-        self._options = IncrementOptions(
-            penetration=penetration, most_in_vain=IN_VAIN, may_hold=True
-        )
+        self._options = IncrementOptions(penetration=penetration)
         self._bent = BENT * model.rope.radius.min()
 
     def to(self, strain: float, share: float | None = None, part: float = 1.0) -> Attempt:
@@ -81,8 +59,7 @@ class Puller:
         growth = 0.0 if share is None else share - self.share
 
         def solve(fraction: float, cuts: int) -> Increment:
-            self._stabilise(cuts)
-            return self._found(self.strain + fraction * step, self.share + fraction * growth)
+            return self._increment(self.strain + fraction * step, self.share + fraction * growth)
 
         done = attempt(
             solve,
@@ -94,93 +71,9 @@ class Puller:
         self._take(done.increment, self.strain + part * step, self.share + part * growth)
         return done
 
-    @property
-    def _stuck(self) -> bool:
-        """Whether the stabilisation could not let go of a state of this step."""
-        return bool(self.state.progress.get("stuck", 0.0))
-
-    def held_share(self, increment: Increment) -> float:
-        """Work of the stabilisation over the internal energy."""
-        energy = self.model.internal_energy(increment.q)
-        return increment.stabilisation_residual / max(energy, LEAST_ENERGY)
-
-    def calm(self, iterations: int) -> None:
-        """More stabilisation for a rope that is found with pains, less, and more way to go, for one found with ease."""
-        if iterations > HARD:
-            self.calming *= CALM
-        elif iterations < EASY:
-            self.calming = max(self.calming / CALM, CALMEST)
-
-    def _found(self, strain: float, share: float) -> Increment:
-        """The rope at a strain, at rest there even where the stabilisation cannot let go of it."""
-        if not self.rests:
-            return self._increment(strain, share)
-        before = self.model.contact.elements.copy()
-        found = self._increment(strain, share)
-        if not (found.held or self._stuck):
-            return found
-        try:
-            return self._rested(found, strain, share)
-        except Diverged:
-            self.model.contact.restore(before)
-            raise
-
-    def _rested(self, found: Increment, strain: float, share: float) -> Increment:
-        """Further increments at the same strain, each held from where the last one was found, until little is held.
-
-        Args:
-            found: The first one, from the present state.
-            strain, share: Where it led to.
-        Returns:
-            All of them as one.
-        Raises:
-            Diverged: If the rope does not come to rest, or gives way by more than may be lost to the stabilisation.
-        """
-        kept = self.state, self.strain, self.share, self.calming, self._made_for
-        stuck, lost = {**self.state.progress, "stuck": 1.0}, self.held_share(found)
-        try:
-            for _ in range(RESTS):
-                if self.is_at_rest(found):
-                    return found
-                self.state = replace(self.state, q=found.q, progress=stuck)
-                self.strain, self.share, self._made_for = strain, share, self._expected
-                self._stabilise(0)
-                last = self._increment(strain, share)
-                lost += self.held_share(last)
-                if lost > LOST:
-                    raise Diverged(f"{100.0 * lost:.0f} % of the energy is lost at rest", 0, 0)
-                self.calm(last.iterations)
-                found = replace(
-                    last,
-                    held=True,
-                    iterations=found.iterations + last.iterations,
-                    linear_solves=found.linear_solves + last.linear_solves,
-                    stabilisation_work=found.stabilisation_work + last.stabilisation_work,
-                    friction_work=found.friction_work + last.friction_work,
-                )
-            raise Diverged("the rope does not come to rest", found.iterations, found.linear_solves)
-        finally:
-            self.state, self.strain, self.share, self.calming, self._made_for = kept
-
-    def is_at_rest(self, found: Increment) -> bool:
-        """Whether the stabilisation does little work, and its forces are small beside the others."""
-        self.model.proximal.start = found.q
-        unbalanced = self.model.newton.residual(found.q)
-        return self.held_share(found) < HOLDABLE and unbalanced < UNBALANCED
-
     def _cuts_left(self, part: float) -> int:
         most = self.model.scene.solver.max_cuts
         return int(np.clip(2 * most + np.log2(part), 0, most))
-
-    def _stabilise(self, cuts: int) -> None:
-        """Less at small tensions, which it must not outweigh; fourfold with every cut, since smaller steps alone
-        cannot help a rope at rest.
-        """
-        scene = self.model.scene
-        solver, strain = scene.solver, self._mean_tension(self.state.q) / scene.yarn.axial_stiffness
-        share = self.calming * min(max(strain / FULL, LEAST), 1.0)
-        factor = 4.0**cuts * max(share, LEAST)
-        self.model.set_viscosity(factor * solver.viscosity, factor * solver.director_viscosity)
 
     def force(self) -> float:
         """Force on the rope now, N."""
@@ -221,10 +114,8 @@ class Puller:
         self._expected = max(self._mean_tension(first), least * self._made_for)
         slack = self._made_for < SLACK * model.scene.yarn.axial_stiffness
         stiffening = 1.0 if slack else self._expected / self._made_for
-        lets_go = self.releases and not (self.rests and self._stuck)
-        most = HELD * model.internal_energy(first) if lets_go else None
-        options = replace(self._options, stabilisation=most)
-        return model.incrementer.solve(self.state.q, first, options, stiffening)
+        model.measure(self._expected)
+        return model.continuation.solve(self.state.q, first, self._options, stiffening)
 
     def _is_rigid(self, q: Floats) -> bool:
         ends = self.model.ends
@@ -260,17 +151,13 @@ class Puller:
                 "strain": strain,
                 "share": share,
                 "tension": self._made_for,
-                "stuck": max(before.get("stuck", 0.0), float(increment.held)),
             },
-            stabilisation_work=self.state.stabilisation_work + increment.stabilisation_work,
-            stabilisation_residual=self.state.stabilisation_residual
-            + increment.stabilisation_residual,
             friction_work=self.state.friction_work + self.model.copies * increment.friction_work,
         )
 
     def _give_up(self, strain: float, failure: Diverged) -> NotConverged:
         return NotConverged(
             f"no equilibrium at rope strain {strain:.6f}: {failure}; deepest contacts between yarns "
-            f"{failure.deepest}; try a smaller steps.strain_increment, a higher solver.viscosity, or "
-            "contact.friction below 1"
+            f"{failure.deepest}; try a smaller steps.strain_increment, or contact.friction "
+            "below 1"
         )

@@ -11,7 +11,7 @@ from ..output.log import LOGGER
 from ..system.constraints import Floats
 from ..system.proximal import ProximalTerm
 from .newton import Newton
-from .trial import FIRST_DAMPING, Diverged, HeldState, Trial
+from .trial import FIRST_DAMPING, Diverged, Trial
 
 FOLLOW_BELOW = 0.02  # residual with new pairs below which sections follow the yarns
 SLOW = 0.5  # reduction of that residual by an update below which updates are damped
@@ -20,9 +20,6 @@ EXHAUSTED = 3  # times that Newton may run out of iterations in one increment
 FORCING = 0.03  # an equilibrium is found to this fraction of the residual that its contact elements started with
 REACH = 0.1  # elements that sections may move before the tangent of repeated contact updates needs a new pattern
 NEW_POINTS = 1  # contact updates of an increment that may change which point stations there are
-RELEASES = 4  # times that the stabilisation may let go in one increment, and
-LETTING_GO = 0.1  # share of the viscosity that is left each time
-FREED = 12  # contact updates in which what it lets go of may find the next state, where it need not; most take 5
 UNFOLLOWED = 2  # updates with frozen sections after following ones did not converge
 
 
@@ -34,9 +31,6 @@ class IncrementOptions:
         pairing_tolerance: Relative residual that fresh contact elements may leave in an equilibrium
             found with the ones before; below it the pairing counts as consistent.
         penetration: Largest penetration accepted, mm; None leaves the penalty as it is.
-        stabilisation: Work of the stabilisation above which it lets go, mJ: it then acts against departures from
-            the state found, until the next one is near. None: it never does.
-        may_hold: Whether the last state found will do where none is found once the stabilisation has let go of it.
         max_updates: Contact updates before the increment counts as failed.
         most_in_vain: Of them in a row that may leave no smaller residual than one before.
         in_passing: Whether updates may stop at `max_updates` without a consistent pairing, as while
@@ -45,8 +39,6 @@ class IncrementOptions:
 
     pairing_tolerance: float = 1e-3
     penetration: float | None = None
-    stabilisation: float | None = None
-    may_hold: bool = False
     max_updates: int = 40
     most_in_vain: int = 40
     in_passing: bool = False
@@ -60,12 +52,10 @@ class Increment:
         q: Unknowns at its end, shape (num_unknowns,).
         iterations, linear_solves, updates: What it took.
         residual: Relative residual with the final contact elements.
-        stabilisation_work: Work that the proximal term took in all, in equilibria on the way, too, mJ.
-        stabilisation_residual: Part of it that is still in the equilibrium found, mJ.
+        stabilisation_work: Work that the proximal term takes in the equilibrium found, mJ.
         friction_work: Work dissipated by friction, mJ.
         penetration: Deepest penetration, mm, at least 0.
         contact_elements: Their number, all processes.
-        held: Whether the stabilisation could not let go of it.
     """
 
     q: Floats
@@ -74,11 +64,9 @@ class Increment:
     updates: int
     residual: float
     stabilisation_work: float
-    stabilisation_residual: float
     friction_work: float
     penetration: float
     contact_elements: int
-    held: bool = False
 
 
 class Incrementer:
@@ -128,33 +116,20 @@ class Incrementer:
         self.contact.scale_stiffness(stiffening)
         if options.penetration is not None:
             self.contact.adopt_stiffness()
-        trial, held = Trial(guess, loose=self._is_loose(start)), False
+        trial = Trial(guess, loose=self._is_loose(start))
         try:
-            while not self._accepted(trial, options) or self._lets_go(trial, options):
+            while not self._accepted(trial, options):
                 self._improve(trial, options.in_passing)
-            residual = self.proximal.work(trial.q)
-            work = trial.stabilisation_work + residual
         except Diverged as failure:
-            if trial.held_state is None:
-                failure.pairs = self.contact.worst_pairs()
-                self.contact.restore(before)
-                raise
-            LOGGER.debug("stabilisation does not let go: %s", failure)
-            residual, held = self._take_back(trial, trial.held_state), True
-            work = trial.stabilisation_work
+            failure.pairs = self.contact.worst_pairs()
+            self.contact.restore(before)
+            raise
         finally:
             self.proximal.damping = np.zeros_like(guess)
+        work = self.proximal.work(trial.q)
         done = self.contact.commit(trial.q)
         return Increment(
-            trial.q,
-            trial.iterations,
-            trial.solves,
-            trial.updates,
-            trial.residual,
-            work,
-            residual,
-            *done,
-            held,
+            trial.q, trial.iterations, trial.solves, trial.updates, trial.residual, work, *done
         )
 
     def _is_loose(self, q: Floats) -> bool:
@@ -185,36 +160,10 @@ class Incrementer:
         if trial.updates and not consistent and not fresh:
             trial.judge(trial.norm > SLOW * last)
         trial.note(anew=fresh)
-        most = min(options.max_updates, trial.most_updates)
-        if trial.updates < most and trial.in_vain < options.most_in_vain:
+        if trial.updates < options.max_updates and trial.in_vain < options.most_in_vain:
             return False
         why = "penetration above tolerance" if trial.raised else f"residual {trial.residual:.1e}"
         raise trial.failed(f"no consistent pairing after {trial.updates} contact updates, {why}")
-
-    def _lets_go(self, trial: Trial, options: IncrementOptions) -> bool:
-        """Whether the stabilisation still holds the state found, which it lets go then."""
-        most = np.inf if options.stabilisation is None else options.stabilisation
-        work = self.proximal.work(trial.q)
-        if trial.releases >= RELEASES or work <= most:
-            return False
-        trial.releases += 1
-        trial.stabilisation_work += work
-        trial.note(anew=True)
-        if options.may_hold:
-            elements = self.contact.elements.copy()
-            trial.held_state = HeldState(trial.q, elements, trial.residual, work)
-            trial.most_updates = trial.updates + FREED
-        self.proximal.start = trial.q
-        self.proximal.ease(LETTING_GO)
-        self._measure(trial)
-        # What it held may be less than what an equilibrium may leave.
-        return trial.residual >= options.pairing_tolerance
-
-    def _take_back(self, trial: Trial, held: HeldState) -> float:
-        """Goes back to a state that the stabilisation holds; the work that it does there, mJ."""
-        self.contact.restore(held.elements)
-        trial.q, trial.residual = held.q, held.residual
-        return held.work
 
     def _update(self, trial: Trial) -> None:
         """New contact elements, and the residual they leave."""

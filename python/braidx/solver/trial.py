@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -41,23 +40,6 @@ class Diverged(Exception):
         return ", ".join(dict.fromkeys(named)) or "none"
 
 
-@dataclass(frozen=True)
-class HeldState:
-    """An equilibrium that the stabilisation holds.
-
-    Attributes:
-        q: Unknowns, shape (num_unknowns,).
-        elements: Its contact elements (engine object).
-        residual: Relative residual with them.
-        work: Of the stabilisation, mJ.
-    """
-
-    q: Floats
-    elements: Any
-    residual: float
-    work: float
-
-
 @dataclass
 class Trial:
     """An increment in the making.
@@ -75,9 +57,6 @@ class Trial:
         unfollowed: Updates with frozen sections that are left after following ones did not converge.
         raised: Penalties raised by the last update.
         exhausted: Times that Newton did not converge.
-        releases: Times that the stabilisation let go.
-        held_state: What it let go of, where that will do.
-        most_updates: How many there may be.
         least, in_vain: Smallest residual until now, and updates since.
         updates, iterations, solves: Done so far.
     """
@@ -95,10 +74,6 @@ class Trial:
     unfollowed: int = 0
     raised: int = 0
     exhausted: int = 0
-    releases: int = 0
-    held_state: HeldState | None = None
-    stabilisation_work: float = 0.0  # mJ, in states that it has let go of
-    most_updates: float = np.inf
     least: float = np.inf
     in_vain: int = 0
     updates: int = 0

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import numpy as np
 
 from .terms import Floats, Ints
@@ -43,11 +46,19 @@ class ProximalTerm:
         if self.turning:
             self.turning.viscosity = directors
 
-    def ease(self, factor: float) -> None:
-        """Leaves a share of the viscosity, until that is set anew."""
-        self.viscosity *= factor
+    @contextmanager
+    def scaled(self, factor: float) -> Iterator[None]:
+        """Multiplies the viscosity for as long as the context lasts."""
+        kept, turned = self.viscosity, self.turning.viscosity if self.turning else 0.0
+        self.viscosity = factor * kept
         if self.turning:
-            self.turning.viscosity *= factor
+            self.turning.viscosity = factor * turned
+        try:
+            yield
+        finally:
+            self.viscosity = kept
+            if self.turning:
+                self.turning.viscosity = turned
 
     def set_state(self, q: Floats) -> None:
         """See Term."""

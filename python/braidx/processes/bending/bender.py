@@ -97,7 +97,7 @@ class Bender:
             contacts=self.model.contact.arrays(),
             progress={**state.progress, **progress},
             stabilisation_work=state.stabilisation_work + increment.stabilisation_work,
-            stabilisation_residual=state.stabilisation_residual + increment.stabilisation_residual,
+            stabilisation_residual=state.stabilisation_residual + increment.stabilisation_work,
             friction_work=state.friction_work + increment.friction_work,
         )
 
