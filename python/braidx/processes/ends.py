@@ -36,6 +36,8 @@ class Ends:
         cut: Whether the rope ends there, even if its ends are alike.
         pulled: Whether a force moves the last section instead of its being held axially.
         planar: Whether sections are planes even where the rope goes on.
+        gauged: Whether the rope as a whole is kept from rotating about its axis where its ends are alike, which nothing
+            else does: friction over the depth of a penetration leaves a moment that would rotate it for ever.
     """
 
     grouped: ClassVar[bool] = False
@@ -49,6 +51,7 @@ class Ends:
         pulled: bool = False,
         cut: bool = False,
         planar: bool = False,
+        gauged: bool = False,
     ) -> None:
         self._options = options
         self.periodic = options.transverse == "periodic" and not cut
@@ -58,6 +61,8 @@ class Ends:
         leads = symmetry.leader == np.arange(len(symmetry.leader))
         self._first, self._last = self.nodes.first[leads], self.nodes.last[leads]
         constraints, self._values = self._across()
+        if gauged and options.transverse == "periodic":
+            self._hold_rotation(constraints)
         self._moved = self._last + 2
         if self.periodic and not planar:
             self._moved = self._moved[:1]
@@ -105,6 +110,19 @@ class Ends:
                 constraints.hold(section)
                 values[section] = self.nodes.rest[section]
         return constraints, values
+
+    def _hold_rotation(self, constraints: Constraints) -> None:
+        """The first section does not rotate about the axis in the mean, to first order: one gauge condition."""
+        x = self.nodes.rest[self._first]
+        y = self.nodes.rest[self._first + 1]
+        arms = np.concatenate([-y, x])
+        unknowns = np.concatenate([self._first, self._first + 1])
+        solved = int(np.argmax(np.abs(arms)))
+        others = np.delete(np.arange(len(arms)), solved)
+        if abs(arms[solved]) > 0.0:
+            constraints.combine(
+                int(unknowns[solved]), unknowns[others], -arms[others] / arms[solved]
+            )
 
     def _repeat(self, constraints: Constraints) -> None:
         """All yarns get longer along the axis by what the first one does."""

@@ -118,4 +118,5 @@ def _ends(scene: Scene, rope: Rope, body: Any, state: State) -> Ends | GroupedEn
         return Ends(body, alike, symmetry, state.q, pulled=pulled, planar=state.model == "cell")
     ends = alike if scene.ends.groups else scene.ends
     at = state.q if state.forms else state.reference
-    return Ends(body, ends, symmetry, at, pulled=pulled, cut=bool(scene.ends.groups))
+    cut = bool(scene.ends.groups)
+    return Ends(body, ends, symmetry, at, pulled=pulled, cut=cut, gauged=not state.forms)
