@@ -62,10 +62,6 @@ class Stuck(Puller):
         solver = SimpleNamespace(max_cuts=max_cuts)
         self.model = SimpleNamespace(scene=SimpleNamespace(solver=solver))
         self.strain, self.share, self.end, self.state = 0.0, 0.0, end, State()
-        self.rests = False
-
-    def _stabilise(self, cuts):
-        pass
 
     def _increment(self, strain, share):
         if strain > (self.strain + self.end) / 2.0:
