@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 from mpi4py import MPI
 from petsc4py import PETSc
 
@@ -30,7 +31,7 @@ def load_model(folder: Path) -> tuple[RopeModel, checkpoint.State]:
         raise SystemExit(f"{folder}: no checkpoint")
     scene = load_scene(folder / "scene.toml")
     model = make_model(MPI.COMM_SELF, scene, state)
-    model.set_viscosity(scene.solver.viscosity, scene.solver.director_viscosity)
+    model.measure(float(np.mean(model.tension(state.q))))
     return model, state
 
 

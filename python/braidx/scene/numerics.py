@@ -84,7 +84,12 @@ class SolverOptions(Table):
         below=1.0,
         doc="Residual at which an equilibrium is accepted, relative to the forces in play.",
     )
-    max_iterations: int = option(25, minimum=1, doc="Newton iterations before an increment is cut.")
+    max_iterations: int = option(
+        25,
+        minimum=1,
+        doc="Newton iterations for given contact elements before an increment is cut; of straight ropes four times as "
+        "many for the whole increment.",
+    )
     max_cuts: int = option(
         8,
         minimum=0,
@@ -102,17 +107,17 @@ class SolverOptions(Table):
         1.0,
         unit="N/mm",
         minimum=0.0,
-        doc="Stabilisation of node positions, force per mm moved in the increment; less in proportion where the mean "
-        "strain of yarns is below 0.1 %.",
-        needs="equilibria",
+        doc="Stabilisation of node positions, force per mm moved in the increment; a thousandth of it acts, four times "
+        "as much with every halving of an increment.",
+        needs="bent",
     )
     director_viscosity: float = option(
         500.0,
         unit="N mm",
         minimum=0.0,
         doc="Stabilisation of the directors of beams and of the tangents of cables, per radian turned in the "
-        "increment; likewise less at small tensions.",
-        needs="equilibria",
+        "increment; likewise.",
+        needs="bent",
     )
     director_cap: float = option(
         0.3,

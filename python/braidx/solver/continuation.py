@@ -68,7 +68,7 @@ class Continuation:
                 if not kept:
                     self._update()
                 residual = steps.residual()
-                steps.adapt(norm)
+                steps.adapt(norm, near=kept)
             kept = residual < options.pairing_tolerance
             LOGGER.debug(
                 "step %d: residual %.1e, damping parameter %.1e, %s contact elements",

@@ -15,12 +15,13 @@ from ..system.global_system import GlobalSystem
 from ..system.proximal import ProximalTerm
 from .linear import FactorisedTangent
 
-LEAST = 1e-2  # of the damping parameter: steps are Newton's to a hundredth, and rigid motions that
-# nothing resists, as of a rope about its axis, are still damped
+LEAST = 1e-4  # of the damping parameter: below (pi / n)^2, which the softest mode of a yarn of n nodes has, n up to 300;
+# rigid motions that nothing resists are still damped
 MOST = 1e6  # steps are a millionth of the way that tensions ask for: nothing moves any more
 SUFFICIENT = 1e-4  # of the decrease that the slope foretells (Armijo; Nocedal, Wright, ch. 3)
 ROUND_OFF = 1e-12  # of the potential: a sum of some ten thousand terms is not more exact
 HALVINGS = 8  # of a step before the direction counts as none, and
+NEARER = 0.1  # see `adapt`
 STRONGER = 10.0  # factor on the damping parameter for the next one
 
 
@@ -111,9 +112,14 @@ class PseudoTransient:
         self.damping = min(STRONGER * self.damping, MOST)
         return False
 
-    def adapt(self, before: float) -> None:
-        """Lets the damping parameter follow the residual, whose norm was `before` the last step."""
+    def adapt(self, before: float, near: bool = False) -> None:
+        """Lets the damping parameter follow the residual, whose norm was `before` the last step.
+
+        Near an equilibrium, where it falls, the parameter falls by a factor of ten at least: beside soft modes, as of a long
+        yarn to its side, the residual would fall as slowly as the parameter does.
+        """
         ratio = self.norm / max(before, 1e-300)
+        ratio = min(ratio, NEARER) if near and ratio < 1.0 else ratio
         self.damping = float(np.clip(self.damping * ratio, LEAST, MOST))
 
     def _set_state(self, q: Floats) -> None:
