@@ -15,7 +15,7 @@ from ..system.global_system import GlobalSystem
 from ..system.proximal import ProximalTerm
 from .linear import FactorisedTangent
 
-LEAST = 1e-4  # of the damping parameter: below (pi / n)^2, which the softest mode of a yarn of n nodes has, n up to 300;
+LEAST = 1e-4  # of the damping parameter: the softest mode of a yarn of n nodes has (pi / n)^2, more up to n = 300;
 # rigid motions that nothing resists are still damped
 MOST = 1e6  # steps are a millionth of the way that tensions ask for: nothing moves any more
 SUFFICIENT = 1e-4  # of the decrease that the slope foretells (Armijo; Nocedal, Wright, ch. 3)
@@ -115,8 +115,8 @@ class PseudoTransient:
     def adapt(self, before: float, near: bool = False) -> None:
         """Lets the damping parameter follow the residual, whose norm was `before` the last step.
 
-        Near an equilibrium, where it falls, the parameter falls by a factor of ten at least: beside soft modes, as of a long
-        yarn to its side, the residual would fall as slowly as the parameter does.
+        Near an equilibrium, where it falls, the parameter falls by a factor of ten at least: beside soft modes, as of a
+        long yarn to its side, the residual would fall as slowly as the parameter does.
         """
         ratio = self.norm / max(before, 1e-300)
         ratio = min(ratio, NEARER) if near and ratio < 1.0 else ratio

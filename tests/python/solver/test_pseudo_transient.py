@@ -122,7 +122,7 @@ def two_bars(load):
 
 
 def test_a_truss_snaps_through_beyond_its_limit_load():
-    """Just below the limit load, found by a scan of the path, it stays; just above it goes beyond the mirrored height."""
+    """Just below the limit load, found by a scan, it stays; just above it goes beyond the mirrored height."""
     scan = np.linspace(0.0, 1.0, 20001)
     h, now = 1.0 - scan, np.hypot(5.0, 1.0 - scan)
     limit = np.max(-h / now * (now - np.hypot(5.0, 1.0)))
@@ -165,6 +165,8 @@ def test_the_damping_parameter_follows_the_residual_within_bounds():
     assert steps.damping == 1.0
     steps.adapt(2 * steps.norm)
     assert steps.damping == 0.5
+    steps.adapt(1.01 * steps.norm, near=True)
+    assert steps.damping == pytest.approx(0.05)
     steps.adapt(1e9 * steps.norm)
     assert steps.damping == LEAST
     steps.adapt(1e-12 * steps.norm)
