@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -58,19 +59,23 @@ class Ends:
         self.nodes = EndNodes(body.block, body.layout.curves, at.copy())
         self.length = self.nodes.length
 
+        self._symmetry, self._planar, self._gauged = symmetry, planar, gauged
         leads = symmetry.leader == np.arange(len(symmetry.leader))
         self._first, self._last = self.nodes.first[leads], self.nodes.last[leads]
-        constraints, self._values = self._across()
-        if gauged and options.transverse == "periodic":
-            self._hold_rotation(constraints)
         self._moved = self._last + 2
         if self.periodic and not planar:
             self._moved = self._moved[:1]
-            self._repeat(constraints)
-        self._along(constraints, pulled)
-        for image in np.flatnonzero(~leads):
-            self._turn(constraints, symmetry, image)
-        self._map = constraints.resolve()
+        self._map, self._values = self._resolved(pulled)
+
+    @cached_property
+    def pulled(self) -> tuple[ConstraintMap, Floats]:
+        """The last section not held axially: a force moves it. The constraint map and the values of its constraints."""
+        return self._resolved(pulled=True)
+
+    def strain_of(self, q: Floats) -> float:
+        """Rope strain of a state whose last section a force moves."""
+        moved = self._moved[0]
+        return float((q[moved] - self.nodes.rest[moved]) / self.length)
 
     def strain(self, q: Floats, asked: float) -> float:
         """Strain of the rope in a state for which the steps asked for one."""
@@ -99,6 +104,19 @@ class Ends:
         values[self._moved] += strain * self.length
         return self._map, values
 
+    def _resolved(self, pulled: bool) -> tuple[ConstraintMap, Floats]:
+        """The constraint map and the values of its constraints."""
+        constraints, values = self._across()
+        if self._gauged and self._options.transverse == "periodic":
+            self._hold_rotation(constraints)
+        if self.periodic and not self._planar:
+            self._repeat(constraints, values)
+        self._along(constraints, values, pulled)
+        symmetry = self._symmetry
+        for image in np.flatnonzero(symmetry.leader != np.arange(len(symmetry.leader))):
+            self._turn(constraints, symmetry, image)
+        return constraints.resolve(), values
+
     def _across(self) -> tuple[Constraints, Floats]:
         constraints, values = Constraints(len(self.nodes.rest)), np.zeros(len(self.nodes.rest))
         first, last = self._nodal(self._first), self._nodal(self._last)
@@ -124,26 +142,26 @@ class Ends:
                 int(unknowns[solved]), unknowns[others], -arms[others] / arms[solved]
             )
 
-    def _repeat(self, constraints: Constraints) -> None:
+    def _repeat(self, constraints: Constraints, values: Floats) -> None:
         """All yarns get longer along the axis by what the first one does."""
         first, last = self._first + 2, self._last + 2
         length = self.nodes.rest[last] - self.nodes.rest[first]
         of = np.column_stack([first[1:], np.full((len(last) - 1, 2), [last[0], first[0]])])
         constraints.combine_each(last[1:], of, [1.0, 1.0, -1.0])
-        self._values[last[1:]] = length[1:] - length[0]
+        values[last[1:]] = length[1:] - length[0]
 
-    def _along(self, constraints: Constraints, pulled: bool) -> None:
+    def _along(self, constraints: Constraints, values: Floats, pulled: bool) -> None:
         """What stays along the axis, and what is moved or pulled."""
         last = self._moved
         first = self._first[: len(last)] + 2
         constraints.hold(first)
-        self._values[first] = self.nodes.rest[first]
+        values[first] = self.nodes.rest[first]
         if pulled:
             constraints.tie(last[1:], last[0])
-            self._values[last[1:]] = self.nodes.rest[last[1:]] - self.nodes.rest[last[0]]
+            values[last[1:]] = self.nodes.rest[last[1:]] - self.nodes.rest[last[0]]
         else:
             constraints.hold(last)
-            self._values[last] = self.nodes.rest[last]
+            values[last] = self.nodes.rest[last]
 
     def _nodal(self, first_unknown: np.ndarray) -> np.ndarray:
         """Unknowns of end nodes that move across the axis: x, y, and directors where those are not free.

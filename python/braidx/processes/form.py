@@ -113,10 +113,7 @@ class Former:
             **state.progress,
         }
         if self._keeps_lengths:
-            force = state.results["formed_force"] / model.rope.num_yarns
-            # On the sample, not on its first section, where that moves along.
-            model.loads.loads[model.ends.nodes.last_axial] = force
-            model.loads.loads[model.ends.nodes.first + 2] = -force
+            model.pull_by(state.results["formed_force"])
 
     @property
     def finished(self) -> bool:

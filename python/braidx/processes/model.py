@@ -111,6 +111,18 @@ class RopeModel:
         self.set_viscosity(tension / length, tension * length)
 
     @property
+    def parallel_stiffness(self) -> float:
+        """Axial stiffness of as many yarns side by side, N."""
+        return self.rope.num_yarns * self.scene.yarn.axial_stiffness
+
+    def pull_by(self, force: float) -> None:
+        """Loads the sample with a force on its last section (N), the same on all yarns; nothing else loads it."""
+        self.loads.loads[:] = 0.0
+        # On the sample, not on its first section, where that moves along.
+        self.loads.loads[self.ends.nodes.last_axial] = force / self.rope.num_yarns
+        self.loads.loads[self.ends.nodes.first + 2] = -force / self.rope.num_yarns
+
+    @property
     def copies(self) -> int:
         """How often what is solved for occurs in the sample."""
         return self.scene.rope.pitches if one_for_all(self.scene) else 1

@@ -71,6 +71,21 @@ class Puller:
         self._take(done.increment, self.strain + part * step, self.share + part * growth)
         return done
 
+    def rest(self, force: float) -> Attempt:
+        """Lets the rope come to rest under a force (N) that moves its last end section, or a part of the way there.
+
+        It may have far to go at the same force, so that an increment ends at its last step, wherever that is.
+        """
+        model, ends = self.model, self.model.ends
+        assert not isinstance(ends, GroupedEnds)
+        model.system.constraints, model.system.constraint_values = ends.pulled
+        model.pull_by(force)
+        missing = force - self.force()
+        guess = self._predict(self.strain + missing / model.parallel_stiffness, self.share)
+        found = self._equilibrium(guess, replace(self._options, in_passing=True))
+        self._take(found, ends.strain_of(found.q), self.share)
+        return Attempt(found, 1.0, 0, found.iterations, found.linear_solves)
+
     def _cuts_left(self, part: float) -> int:
         most = self.model.scene.solver.max_cuts
         return int(np.clip(2 * most + np.log2(part), 0, most))
@@ -109,13 +124,20 @@ class Puller:
         system.constraints, system.constraint_values = ends.held(strain, share, placed)
         if isinstance(ends, GroupedEnds):
             model.loads.loads = ends.loads(placed, share)
-        first = system.expand(system.free_values(placed))
+        else:
+            model.pull_by(0.0)
+        return self._equilibrium(placed, self._options)
+
+    def _equilibrium(self, guess: Floats, options: IncrementOptions) -> Increment:
+        """Equilibrium near a guess, for the constraints and loads that the system has."""
+        model, system = self.model, self.model.system
+        first = system.expand(system.free_values(guess))
         least = EASED if self.eases else 1.0
         self._expected = max(self._mean_tension(first), least * self._made_for)
         slack = self._made_for < SLACK * model.scene.yarn.axial_stiffness
         stiffening = 1.0 if slack else self._expected / self._made_for
         model.measure(self._expected)
-        return model.continuation.solve(self.state.q, first, self._options, stiffening)
+        return model.continuation.solve(self.state.q, first, options, stiffening)
 
     def _is_rigid(self, q: Floats) -> bool:
         ends = self.model.ends

@@ -10,37 +10,58 @@ import numpy as np
 from ..scene import Settle
 from .model import RopeModel
 from .newton_options import UNSTRETCHED
-from .outcome import Outcome
+from .outcome import NotConverged, Outcome
 from .pull import outcome
 from .puller import Puller
 from .state import State
 
-SETTLED = (
-    0.05  # settled: the force is missed by less than this fraction (at zero force: yarns would
-)
-# be strained by less than UNSTRETCHED), and
+NEAR = 0.05  # groups of ends: the force is met when it is missed by less than this fraction (at zero force: when yarns
+# would be strained by less than UNSTRETCHED by it)
 SOFTER = 4.0  # most that a rope is taken to give way more than parallel yarns would
 
 
 def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
     """Lets the rope come to rest at a force."""
-    settler = Settler(model, state, step)
-    while not settler.finished:
-        yield settler.increment()
+    if model.ends.grouped:
+        settler = Settler(model, state, step)
+        while not settler.finished:
+            yield settler.increment()
+    else:
+        yield from _at_force(Puller(model, state), step)
+
+
+def _at_force(puller: Puller, step: Settle) -> Iterator[Outcome]:
+    """Increments under the force until the rope is in equilibrium.
+
+    Raises:
+        NotConverged: If it is not by the last of them.
+    """
+    tolerance = puller.model.scene.solver.tolerance
+    for done in range(int(puller.state.progress.get("settled", 0)) + 1, step.increments + 1):
+        attempt = puller.rest(1e3 * step.force)
+        puller.state = replace(puller.state, progress={**puller.state.progress, "settled": done})
+        rests = attempt.increment.residual < tolerance
+        share = 1.0 if rests else done / step.increments
+        yield outcome(puller, attempt, share, "settled" if rests else None)
+        if rests:
+            return
+    raise NotConverged(
+        f"the rope does not come to rest in {step.increments} increments; try more steps.increments, or a larger "
+        "contact.friction"
+    )
 
 
 class Settler:
-    """The way of a rope to a force; all its numbers are in the state's progress, to go on from a checkpoint.
+    """The way of a rope with groups of ends to a force; all its numbers are in the state's progress.
 
     The end is moved by what the force that is missing needs with the stiffness found between the last two states.
     """
 
     def __init__(self, model: RopeModel, state: State, step: Settle) -> None:
-        self.model, self.step = model, step
-        self._puller = Puller(model, state)
-        self._parallel = model.rope.num_yarns * model.scene.yarn.axial_stiffness
+        self.step, self._puller = step, Puller(model, state)
+        self._parallel = model.parallel_stiffness
         self._wanted = 1e3 * step.force
-        self._near = max(SETTLED * self._wanted, UNSTRETCHED * self._parallel)
+        self._near = max(NEAR * self._wanted, UNSTRETCHED * self._parallel)
         start = {"settled": 0.0, "target": self._puller.strain, "stiffness": self._parallel}
         self._number = {name: state.progress.get(name, value) for name, value in start.items()}
 

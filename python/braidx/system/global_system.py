@@ -38,12 +38,16 @@ class GlobalSystem:
         self.term_norms: Floats = np.zeros(len(terms))
         self.force_scale = 0.0
         self.q: Floats = np.zeros(len(constraint_values))
-        self.vector = PETSc.Vec().createMPI((PETSc.DECIDE, self.num_free), comm=comm)
-        self.vector.setUp()
-        self._counts = np.array(comm.allgather(self.vector.getLocalSize()))
+        self._make_vector()
         self.matrix: PETSc.Mat | None = None
         self._versions: tuple[int, ...] = ()
         self._laid_out: ConstraintMap | None = None
+
+    def _make_vector(self) -> None:
+        """A distributed vector of the free unknowns."""
+        self.vector = PETSc.Vec().createMPI((PETSc.DECIDE, self.num_free), comm=self.comm)
+        self.vector.setUp()
+        self._counts = np.array(self.comm.allgather(self.vector.getLocalSize()))
 
     @property
     def num_free(self) -> int:
@@ -61,6 +65,8 @@ class GlobalSystem:
         if self.comm.allreduce(same, op=MPI.LAND):
             return False
         self._versions, self._laid_out = versions, self.constraints
+        if self.vector.getSize() != self.num_free:
+            self._make_vector()
         pieces = [
             self.constraints.reduce_pattern(*term.tangent_pattern(), term.spread)
             for term in self.terms

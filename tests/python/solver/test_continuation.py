@@ -44,7 +44,8 @@ def test_the_state_found_does_not_depend_on_the_metric():
         measure = model.measure
         model.measure = lambda tension, scale=scale, measure=measure: measure(scale * tension)
         found.append(pull(model, q, 1e-3).q)
-    assert np.abs(found[0] - found[1]).max() < 1e-5
+    # The end is moved by 0.066 mm; a residual at the tolerance leaves 1e-5 mm open.
+    assert np.abs(found[0] - found[1]).max() < 3e-5
 
 
 def test_penalties_are_raised_until_penetrations_are_tolerable():
