@@ -160,10 +160,11 @@ NEEDS = {
         "the rope is formed only, as steps.form.model says",
         "all steps but form, which has a model of its own",
     ),
-    "equilibria": Need(
-        lambda scene: has_step(scene, Bend, *STRAIGHT),
-        "the rope is formed only",
-        "all steps but form",
+    "cuts": Need(
+        lambda scene: has_step(scene, Bend, Pull, Hold, Cycle)
+        or (has_step(scene, Settle) and bool(scene.ends.groups)),
+        "a rope that is formed and settled is under its force at once",
+        "steps pull, hold, cycle and those that bend, and groups of ends",
     ),
     "rubbing equilibria": Need(
         lambda scene: _rubs(scene) and has_step(scene, Bend, *STRAIGHT),

@@ -94,7 +94,7 @@ class SolverOptions(Table):
         8,
         minimum=0,
         doc="Halvings of an increment before the run gives up; twice as many in a row.",
-        needs="equilibria",
+        needs="cuts",
     )
     tangent: str = option(
         "consistent",
