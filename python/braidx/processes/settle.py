@@ -31,19 +31,18 @@ def settle(model: RopeModel, state: State, step: Settle) -> Iterator[Outcome]:
 
 
 def _at_force(puller: Puller, step: Settle) -> Iterator[Outcome]:
-    """Increments under the force until the rope is in equilibrium.
+    """The equilibrium under the force: states on the way there are none, and are not handed over.
 
     Raises:
-        NotConverged: If it is not by the last of them.
+        NotConverged: If it is not found in as many increments as the step has.
     """
-    tolerance = puller.model.scene.solver.tolerance
-    for done in range(int(puller.state.progress.get("settled", 0)) + 1, step.increments + 1):
+    iterations = solves = 0
+    for _ in range(step.increments):
         attempt = puller.rest(1e3 * step.force)
-        puller.state = replace(puller.state, progress={**puller.state.progress, "settled": done})
-        rests = attempt.increment.residual < tolerance
-        share = 1.0 if rests else done / step.increments
-        yield outcome(puller, attempt, share, "settled" if rests else None)
-        if rests:
+        iterations, solves = iterations + attempt.iterations, solves + attempt.linear_solves
+        if attempt.increment.residual < puller.model.scene.solver.tolerance:
+            found = replace(attempt, iterations=iterations, linear_solves=solves)
+            yield outcome(puller, found, 1.0, "settled")
             return
     raise NotConverged(
         f"the rope does not come to rest in {step.increments} increments; try more steps.increments, or a larger "
